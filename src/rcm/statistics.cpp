@@ -8,6 +8,7 @@
 #include "distance/exact_lengths.h"
 #include "distance/shortest_path.h"
 #include "distance/tangent_maps.h"
+#include "intrinsic/angles.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
 #include "rcm/mean.h"
@@ -37,22 +38,80 @@ Array<Vec2> logVectors(const Geometry& geometry, const Array<SurfacePoint>& poin
   return vectors;
 }
 
-/// Whether a point is the median: the joint pull of the points elsewhere is at most the weight of
-/// all points at its place.
-bool isMedian(const Geometry& geometry, const Array<SurfacePoint>& points,
-              const Array<double>& weights, int at) {
-  const Array<Vec2> vectors = logVectors(geometry, points, points[at]);
-  Vec2 pull = Vec2::Zero();
-  double held = 0;
-  for (int i = 0; i < points.count(); ++i) {
-    const double length = vectors[i].norm();
-    if (length == 0) {
-      held += weights[i];
-    } else {
-      pull += weights[i] / length * vectors[i];
+/// The largest pull of points in a direction at a vertex, as a vector in this direction; 0 if no
+/// pull is positive. A point at the angle a from the direction pulls with its weight times
+/// cos(min(a, pi)), where a is an angle on the surface. `pulls` are vectors as long as the weights,
+/// in the frame of the vertex, which scales angles by `scale`.
+Vec2 largestPull(const Array<Vec2>& pulls, double scale) {
+  struct Change {
+    double direction;
+    Vec2 sum;
+    double rest;
+  };
+  const double total = 2 * kPi / scale;
+  const double reach = std::min(kPi, total / 2);
+  // From one of the following directions to the next, the pull is sum.dot(unitVector(direction)) +
+  // rest.
+  Array<Change> changes;
+  double rest = 0;
+  for (const Vec2& pull : pulls) {
+    const double weight = pull.norm();
+    rest -= weight;
+    for (const int turn : {0, 1}) {
+      const double direction = angleOf(pull) / scale + turn * total;
+      const Vec2 sum = weight * unitVector(direction);
+      changes.push_back({std::max(0.0, direction - reach), sum, weight});
+      changes.push_back({std::max(0.0, direction + reach), -sum, -weight});
     }
   }
-  return pull.norm() <= held;
+  std::sort(changes.begin(), changes.end(),
+            [](const Change& a, const Change& b) { return a.direction < b.direction; });
+  Vec2 sum = Vec2::Zero();
+  double most = 0;
+  double best = 0;
+  for (int i = 0; i < changes.count() && changes[i].direction < total; ++i) {
+    sum += changes[i].sum;
+    rest += changes[i].rest;
+    const double from = changes[i].direction;
+    const double to = i + 1 < changes.count() ? std::min(total, changes[i + 1].direction) : total;
+    if (to - from <= kLocalRounding) continue;
+    double turn = std::fmod(angleOf(sum) - from, 2 * kPi);
+    if (turn < 0) turn += 2 * kPi;
+    for (const double direction : {from, std::min(from + turn, to)}) {
+      const double pull = sum.dot(unitVector(direction)) + rest;
+      if (pull <= most) continue;
+      most = pull;
+      best = direction;
+    }
+  }
+  return most * unitVector(scale * best);
+}
+
+/// The step of Vardi and Zhang from one of the points: 0 if the point is a local median, or else a
+/// step to a lower sum of distances. Points within `least` of the point count as points at its
+/// place.
+Vec2 stepFrom(const Geometry& geometry, const Array<SurfacePoint>& points,
+              const Array<double>& weights, int at, double least) {
+  const Array<Vec2> vectors = logVectors(geometry, points, points[at]);
+  Array<Vec2> pulls;
+  double held = 0;
+  double inverse = 0;
+  for (int i = 0; i < points.count(); ++i) {
+    const double length = vectors[i].norm();
+    if (length <= least) {
+      held += weights[i];
+    } else {
+      pulls.push_back(weights[i] / length * vectors[i]);
+      inverse += weights[i] / length;
+    }
+  }
+  const PointLocation place = locate(*geometry.mesh, points[at]);
+  const double scale = place.simplex == Simplex::kVertex ? geometry.angleScale[place.vertex] : 1;
+  const Vec2 pull = scale == 1 ? std::accumulate(pulls.begin(), pulls.end(), Vec2(0, 0))
+                               : largestPull(pulls, scale);
+  const double most = pull.norm();
+  if (most <= held) return Vec2::Zero();
+  return (1 - held / most) / inverse * pull;
 }
 
 void checkWeights(const Array<SurfacePoint>& points, const Array<double>& weights) {
@@ -86,6 +145,11 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
                                             : *std::max_element(distances.begin(), distances.end());
     distances = exactLengths(geometry, point, points, likely);
   };
+  const auto valueHere = [&] {
+    double value = 0;
+    for (int i = 0; i < points.count(); ++i) value += weights[i] * rule.cost(distances[i]);
+    return value;
+  };
   RobustMean mean;
   mean.point = options.start ? *options.start : centerOf(weights, std::nullopt);
   measureFrom(mean.point);
@@ -94,16 +158,24 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
     const auto nearest = std::min_element(distances.begin(), distances.end());
     const int at = static_cast<int>(nearest - distances.begin());
     if (rule.isSharp && !isTried[at]) {
+      // Near a point that is no median, the usual steps are as short as near a median. So the
+      // search goes to a place where the value is lower than at the point, and never comes back.
       isTried[at] = 1;
-      if (isMedian(geometry, points, weights, at)) {
-        mean.point = points[at];
-        mean.converged = true;
-        measureFrom(mean.point);
-        break;
+      const SurfacePoint before = mean.point;
+      Array<double> distancesBefore = distances;
+      const double value = valueHere();
+      const Vec2 step = stepFrom(geometry, points, weights, at, least);
+      mean.converged = step == Vec2::Zero();
+      mean.point = mean.converged ? points[at] : expAlong(geometry, points[at], step).end();
+      measureFrom(mean.point);
+      if (valueHere() <= value) {
+        mean.steps += mean.converged ? 0 : 1;
+        continue;
       }
+      mean.point = before;
+      mean.converged = false;
+      distances.swap(distancesBefore);
     }
-    // If the search is at a point that is not the minimum, the pull of the other points leads the
-    // search away.
     Array<double> factors = weights;
     for (int i = 0; i < factors.count(); ++i)
       factors[i] *= rule.pull(std::max(distances[i], least));
@@ -113,7 +185,7 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
     mean.converged = shortestPath(geometry, before, mean.point).length() <= least;
     ++mean.steps;
   }
-  for (int i = 0; i < points.count(); ++i) mean.value += weights[i] * rule.cost(distances[i]);
+  mean.value = valueHere();
   return mean;
 }
 

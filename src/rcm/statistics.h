@@ -30,10 +30,13 @@ struct RobustMean {
 /// start. Each step leads to the center of mass with weights divided by the distances, and takes
 /// one exact search of distances. (E. Weiszfeld, "Sur le point pour lequel la somme des distances
 /// de n points donnes est minimum", 1937; P. T. Fletcher, S. Venkatasubramanian, S. Joshi, "The
-/// geometric median on Riemannian manifolds", 2009.) Each step first tests the nearest point,
-/// unless an earlier step has tested it: this point is the median if the joint pull of the points
-/// elsewhere is no more than the weight of all points at its place. Throws what `centerOfMass`
-/// throws (mean.h), and Error kBadArgument unless there is one positive weight for each point.
+/// geometric median on Riemannian manifolds", 2009.) The step at which a point is the nearest for
+/// the first time tests the point: it is a local median if in no direction the pull of the points
+/// elsewhere is more than the weight of all points at its place. If the sum is no larger there than
+/// at the end of the last step, the search ends there, or else goes beyond a point that is no local
+/// median. (Y. Vardi, C.-H. Zhang, "The multivariate L1-median and associated data depth", 2000.)
+/// Throws what `centerOfMass` throws (mean.h), and Error kBadArgument unless there is one positive
+/// weight for each point.
 RobustMean median(FieldSets& sets, const Array<SurfacePoint>& points, const Array<double>& weights,
                   const RobustOptions& options = {});
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
+
 #include "generators/random_points.h"
 #include "intrinsic/tangent.h"
 #include "mesh/error.h"
@@ -54,6 +57,78 @@ TEST(Statistics, APointThatIsHeavyEnoughOrWhereTheAngleIsWideIsTheMedian) {
   const RobustMean other = median(sets, points, {1, 1, 1});
   EXPECT_LT((position(surface.mesh(), there.point) - position(surface.mesh(), other.point)).norm(),
             1e-3);
+}
+
+TEST(Statistics, ASearchLeavesAPointWhoseWeightIsLittleLessThanThePullOfTheOthers) {
+  Surface surface(planeGrid(10, 10));
+  FieldSets sets(surface);
+  const Array<SurfacePoint> right =
+      pointsAt(surface.mesh(), {Vec3(1.3, 1.2, 0), Vec3(8.3, 1.2, 0), Vec3(1.3, 8.2, 0)});
+  RobustOptions from;
+  from.start = right[0];
+  const RobustMean fermat = median(sets, right, {1, 1, 1}, from);
+  EXPECT_TRUE(fermat.converged);
+  // On the axis of this right triangle with legs of 7, the median is 7 (1 - 1 / sqrt(3)) / 2 from
+  // both legs.
+  const double leg = 7 * (1 - 1 / std::sqrt(3.0)) / 2;
+  const Vec3 expected(1.3 + leg, 1.2 + leg, 0);
+  EXPECT_LT((position(surface.mesh(), fermat.point) - expected).norm(), 1e-4);
+  EXPECT_NEAR(fermat.value, 7 * (std::sqrt(2.0) + std::sqrt(6.0)) / 2, 1e-8);
+  // The center of mass, where this search starts, is the first point.
+  const RobustMean light = median(sets,
+                                  pointsAt(surface.mesh(), {Vec3(5, 5, 0), Vec3(8, 5, 0),
+                                                            Vec3(3.5, 6.5, 0), Vec3(3.5, 3.5, 0)}),
+                                  {0.3, 1, 1, 1});
+  EXPECT_TRUE(light.converged);
+  // With x on the line y = 5: 2 (x - 3.5) / sqrt((x - 3.5)^2 + 1.5^2) = 1 + 0.3.
+  const double x = 3.5 + 1.5 * 0.65 / std::sqrt(1 - square(0.65));
+  EXPECT_LT((position(surface.mesh(), light.point) - Vec3(x, 5, 0)).norm(), 1e-4);
+}
+
+TEST(Statistics, AtACubesCornerTheMedianMovesAlongAnEdge) {
+  // Corner (0, 0, 0) of the cube of side 2, and on each side of the cube 12 x 12 squares.
+  constexpr int kSquares = 12;
+  TriangleSoup cube;
+  std::map<std::array<int, 3>, int> numbers;
+  const auto vertexAt = [&](const std::array<int, 3>& at) {
+    const auto [known, isNew] = numbers.try_emplace(at, cube.positions.count());
+    if (isNew) cube.positions.push_back(Vec3(at[0], at[1], at[2]) * (2.0 / kSquares));
+    return known->second;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool isFar : {false, true}) {
+      for (int square = 0; square < kSquares * kSquares; ++square) {
+        const auto corner = [&](int x, int y) {
+          std::array<int, 3> at{};
+          at[axis] = isFar ? kSquares : 0;
+          at[(axis + (isFar ? 1 : 2)) % 3] = square % kSquares + x;
+          at[(axis + (isFar ? 2 : 1)) % 3] = square / kSquares + y;
+          return vertexAt(at);
+        };
+        cube.triangles.push_back({corner(0, 0), corner(1, 0), corner(1, 1)});
+        cube.triangles.push_back({corner(0, 0), corner(1, 1), corner(0, 1)});
+      }
+    }
+  }
+  Surface surface(meshOf(cube));
+  FieldSets sets(surface);
+  const Array<SurfacePoint> points =
+      pointsAt(surface.mesh(), {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
+  // At t along an edge the value is t w + (1 - t) + 2 sqrt(1 + t^2).
+  const double t = 0.25 / std::sqrt(1 - square(0.25));
+  const double least = 1 - t / 2 + 2 * std::sqrt(1 + t * t);
+  RobustOptions from;
+  for (const int start : {0, 1, 2, 3, -1}) {
+    from.start = start < 0 ? std::nullopt : std::optional(points[start]);
+    const RobustMean found = median(sets, points, {0.5, 1, 1, 1}, from);
+    EXPECT_TRUE(found.converged) << "from " << start;
+    // Fields smooth the creases of the cube.
+    EXPECT_NEAR(found.value, least, 1e-3) << "from " << start;
+    EXPECT_NEAR(position(surface.mesh(), found.point).norm(), t, 0.03) << "from " << start;
+    // The pull along an edge is 1 + 2 cos(90 degrees).
+    const RobustMean heavy = median(sets, points, {1.01, 1, 1, 1}, from);
+    EXPECT_NEAR(heavy.value, 3, 1e-6) << "from " << start;
+  }
 }
 
 TEST(Statistics, HubersMeanIsTheClosedFormOnALineAndAMeanWhereTheThresholdIsWide) {
