@@ -51,9 +51,11 @@ void FieldBlend::setFields(const Array<ControlField*>& fields) {
   cells_.setCut(anyHasMidpoints(fields_));
   slots_.clear();
   lastCell_ = -1;
-  if (width_ == 6 * fields_.count()) return;
-  width_ = 6 * fields_.count();
-  vectors_.resize(shapes_.size() * static_cast<size_t>(width_));
+  // If memory runs out, the width still fits the vectors.
+  const int width = 6 * fields_.count();
+  if (width == width_) return;
+  vectors_.resize(shapes_.size() * static_cast<size_t>(width));
+  width_ = width;
 }
 
 TriangleField FieldBlend::blend(int cell, Weights weights) {
