@@ -49,8 +49,8 @@ class SparseIndex {
   void insert(int item, int number) {
     uint32_t place = placeOf(item);
     while (entries_.data()[place].item >= 0) place = (place + 1) & mask_;
-    entries_.data()[place] = {item, number};
     places_.push_back(place);
+    entries_.data()[place] = {item, number};
   }
 
   void grow() {

@@ -42,10 +42,12 @@ class ControlField {
   const FieldValue& at(int vertex) {
     const int number = numberOf_.find(vertex);
     if (number >= 0) return values_[number];
-    // The evaluation may throw, so the entry is added after it.
+    // The evaluation and the memory's growth may throw, so the entry is added after them.
     const FieldValue value = evaluate_(vertex);
+    const int added = numberOf_.count();
+    values_.resize(static_cast<size_t>(added) + 1);
     numberOf_.add(vertex);
-    return values_.emplace_back(value);
+    return values_[added] = value;
   }
 
   bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }

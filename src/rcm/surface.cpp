@@ -24,8 +24,8 @@ int Surface::component(int vertex) {
 
 bool Surface::isBesideHub(int vertex) {
   if (!hubsAreKnown_) {
-    hubsAreKnown_ = true;
     isBesideHub_ = besideHubs(mesh_);
+    hubsAreKnown_ = true;
   }
   return !isBesideHub_.empty() && isBesideHub_[vertex] != 0;
 }
