@@ -83,8 +83,10 @@ FieldValue PointField::valueBesideHub(int vertex) {
     aroundHubs_ = std::make_unique<WindowDistance>(surface_.geometry(), 0, surface_.pages());
   }
   if (!isAroundHubs_) aroundHubs_->setSource(point_);
-  isAroundHubs_ = true;
+  // If the search throws half-way, the next one starts anew.
+  isAroundHubs_ = false;
   const double distance = aroundHubs_->growTo(vertex);
+  isAroundHubs_ = true;
   if (distance == kInfinity) throwUnreachable();
   return {aroundHubs_->logVector(vertex), distance * distance};
 }
@@ -110,9 +112,9 @@ FieldValue PointField::nearValue(int vertex) {
 void PointField::startSolver(const std::optional<PathAim>& aim) {
   if (!solver_) {
     estimator_ = estimatorOf(options_.solver);
-    solver_ = makeDistanceSolver(surface_, options_);
     stencils_ = &surface_.stencils(estimator_);
     logVectors_.emplace(surface_.mesh().vertexCount(), surface_.pages());
+    solver_ = makeDistanceSolver(surface_, options_);
   }
   logVectors_->clear();
   hasMidpoints_ = options_.solver == Solver::kExact && solver_->keepMidpoints();
@@ -121,11 +123,26 @@ void PointField::startSolver(const std::optional<PathAim>& aim) {
   solver_->setSource(point_);
 }
 
+/// Does work of the solver. A solver that throws half-way would later give wrong distances, so it
+/// rests.
+template <class Work>
+auto PointField::restIfThrown(const Work& work) {
+  try {
+    return work();
+  } catch (...) {
+    rest();
+    throw;
+  }
+}
+
 void PointField::makeLogField(const std::optional<PathAim>& aim) {
-  startSolver(aim);
+  restIfThrown([&] { startSolver(aim); });
   ControlField::EvaluateMidpoint midpoint;
-  if (hasMidpoints_) midpoint = [this](int h) { return estimateMidpoint(h); };
-  field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
+  if (hasMidpoints_) {
+    midpoint = [this](int h) { return restIfThrown([&] { return estimateMidpoint(h); }); };
+  }
+  field_.reset([this](int v) { return restIfThrown([&] { return estimate(v); }); },
+               std::move(midpoint));
 }
 
 void PointField::rest() {

@@ -72,6 +72,8 @@ class PointField {
   void makePaperField();
   void makeLogField(const std::optional<PathAim>& aim = std::nullopt);
   void startSolver(const std::optional<PathAim>& aim = std::nullopt);
+  template <class Work>
+  auto restIfThrown(const Work& work);
   void makeNearField();
   FieldValue nearValue(int vertex);
   FieldValue valueBesideHub(int vertex);

@@ -6,7 +6,9 @@
 
 #include "curve_support.h"
 #include "curves/curve.h"
+#include "measures/allocations.h"
 #include "mesh/error.h"
+#include "mesh/shapes.h"
 #include "mesh/surface_point.h"
 #include "support.h"
 
@@ -157,6 +159,37 @@ TEST(FieldSet, ADestroyedCurveLeavesNoMoreSparesThanTheOthersHold) {
   exact.options.field = kExact;
   other.set(exact);
   expectFew();
+}
+
+TEST(FieldSet, AFieldHasTheSameValuesAfterMemoryRanOut) {
+  const TriangleMesh mesh = meshOf(makeShape(Shape::kTorus, 500));
+  const SurfacePoint point{7, Vec3(0.2, 0.3, 0.5)};
+  const int far = mesh.vertexCount() / 2;
+  for (const FieldOptions& options : {kFast, kExact}) {
+    Surface surface(mesh);
+    PointField whole(surface, options);
+    whole.setPoint(point);
+    int failures = 0;
+    for (bool isDone = false; !isDone; ++failures) {
+      Surface other(mesh);
+      PointField field(other, options);
+      field.setPoint(point);
+      field.rest();
+      failAllocationAfter(failures);
+      try {
+        field.field().at(far);
+        isDone = true;
+      } catch (const std::bad_alloc&) {
+      }
+      failAllocationAfter(-1);
+      for (int v = 0; v < mesh.vertexCount(); v += 5) {
+        const FieldValue& expected = whole.field().at(v);
+        const FieldValue& found = field.field().at(v);
+        ASSERT_EQ(found.squaredDistance, expected.squaredDistance) << failures << ", vertex " << v;
+        ASSERT_EQ(found.gradient, expected.gradient) << failures << ", vertex " << v;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace {
 int64_t allocations = 0;
 int64_t bytesTaken = 0;
 int64_t bytesGivenBack = 0;
+int64_t beforeFailure = -1;
 
 void countTaken(size_t bytes) {
   ++allocations;
@@ -31,6 +32,7 @@ void countGivenBack(size_t bytes) { bytesGivenBack += static_cast<int64_t>(bytes
 int64_t karcher::allocationsSoFar() { return allocations; }
 int64_t karcher::bytesTakenSoFar() { return bytesTaken; }
 int64_t karcher::bytesHeld() { return bytesTaken - bytesGivenBack; }
+void karcher::failAllocationAfter(int64_t count) { beforeFailure = count; }
 
 #ifdef KARCHER_ADDRESS_SANITIZER
 
@@ -56,6 +58,7 @@ constexpr size_t kHeader = alignof(std::max_align_t);
 static_assert(kHeader >= sizeof(size_t));
 
 void* take(size_t size) {
+  if (beforeFailure >= 0 && --beforeFailure < 0) throw std::bad_alloc();
   countTaken(size);
   if (void* memory = std::malloc(kHeader + size)) {
     std::memcpy(memory, &size, sizeof size);

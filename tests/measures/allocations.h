@@ -15,4 +15,8 @@ int64_t bytesTakenSoFar();
 /// The number of bytes that the program holds now.
 int64_t bytesHeld();
 
+/// Lets one allocation fail, after `count` others; a negative count lets none fail. Without effect
+/// with the address sanitizer.
+void failAllocationAfter(int64_t count);
+
 }  // namespace karcher
