@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "curve_support.h"
@@ -239,6 +240,87 @@ TEST(CurveLayout, KeepsCustomKnotsValidThroughEdits) {
     shape = changed;
     points = count;
     if (points > 12) shape = bspline(3, false, KnotRule::kOwn, kOwnKnots), points = kPoints;
+  }
+}
+
+/// A segment by the names of its points, and its knots from the start of its span.
+struct NamedSegment {
+  Array<int> points;
+  Array<double> knots;
+  bool operator==(const NamedSegment&) const = default;
+};
+
+Array<NamedSegment> namedSegments(const Array<double>& knots, int degree, const Array<int>& names) {
+  Array<NamedSegment> all;
+  for (int j = 0; j < names.count(); ++j) {
+    NamedSegment segment;
+    for (int k = 0; k <= degree; ++k) segment.points.push_back(names[(j + k) % names.count()]);
+    for (int k = 1 - degree; k <= degree; ++k) {
+      segment.knots.push_back(knotOfSpan(knots, degree, true, j + k) -
+                              knotOfSpan(knots, degree, true, j));
+    }
+    all.push_back(segment);
+  }
+  return all;
+}
+
+int countShared(const Array<NamedSegment>& a, const Array<NamedSegment>& b) {
+  return static_cast<int>(std::count_if(a.begin(), a.end(), [&](const NamedSegment& segment) {
+    return std::find(b.begin(), b.end(), segment) != b.end();
+  }));
+}
+
+TEST(CurveLayout, EditsOfAClosedCurveKeepTheSegmentsThatTheyDoNotReach) {
+  const uint64_t seed = 12;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (const int degree : {1, 2, 3, 5}) {
+    for (int points = 2; points <= 13; ++points) {
+      // Multiples of 1/8, so that sums are exact.
+      Array<double> knots{random.index(8) / 8.0};
+      for (int k = 0; k < points; ++k) knots.push_back(knots.back() + (1 + random.index(30)) / 4.0);
+      Array<int> names;
+      for (int k = 0; k < points; ++k) names.push_back(k);
+      const Array<NamedSegment> before = namedSegments(knots, degree, names);
+      for (int i = 0; i <= points; ++i) {
+        SCOPED_TRACE("degree " + std::to_string(degree) + ", " + std::to_string(points) +
+                     " points, point " + std::to_string(i));
+        const Array<double> more = knotsWithPoint(knots, degree, true, i);
+        ASSERT_EQ(more.count(), points + 2);
+        EXPECT_EQ(knotsWithoutPoint(more, degree, true, i), knots);
+        Array<int> named = names;
+        named.insert(named.begin() + i, -1);
+        // The new knot divides the span of 2 p - 1 segments.
+        EXPECT_EQ(countShared(before, namedSegments(more, degree, named)),
+                  std::max(points - (2 * degree - 1), 0));
+        if (i == points || points == 2) continue;
+        const Array<double> fewer = knotsWithoutPoint(knots, degree, true, i);
+        ASSERT_EQ(fewer.count(), points);
+        named = names;
+        named.erase(named.begin() + i);
+        EXPECT_EQ(countShared(before, namedSegments(fewer, degree, named)),
+                  std::max(points - 2 * degree, 0));
+      }
+    }
+  }
+}
+
+TEST(CurveLayout, EditsOfAClosedCurveKeepItsDoubleKnots) {
+  const uint64_t seed = 13;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (int round = 0; round < 100; ++round) {
+    const int points = 6;
+    Array<double> knots{random.uniform(-3, 3)};
+    for (int k = 1; k < points; ++k) knots.push_back(knots.back() + random.uniform(0.1, 2));
+    // The last knot of a turn, which is the first one of the next turn, is double.
+    knots.push_back(knots.back());
+    for (int i = 0; i < points; ++i) {
+      EXPECT_NO_THROW(checkKnots(knotsWithPoint(knots, 3, true, i), points + 1, 3, true));
+      EXPECT_NO_THROW(checkKnots(knotsWithoutPoint(knots, 3, true, i), points - 1, 3, true));
+    }
+    const double before = knotOfSpan(knots, 3, true, -1);
+    EXPECT_EQ(before, knots.front());
   }
 }
 

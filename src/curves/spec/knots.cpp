@@ -27,12 +27,8 @@ Array<double> knotsOfSpans(double first, const Array<double>& spans) {
   return knots;
 }
 
-/// The span in the middle of control point i's support; for an open curve, the nearest existing
-/// span.
-int middleSpan(int i, int degree, bool closed, int spans) {
-  const int middle = i - (degree + 1) / 2;
-  return closed ? wrapped(middle, spans) : std::clamp(middle, 0, spans - 1);
-}
+/// The span before the middle knot of control point i's support. It may lie outside the spans.
+int middleSpan(int i, int degree) { return i - (degree + 1) / 2; }
 
 void checkRepeats(const Array<double>& knots, int degree, bool closed) {
   const int first = closed ? 0 : degree;
@@ -112,13 +108,20 @@ double knotOfSpan(const Array<double>& knots, int degree, bool closed, int j) {
   const int spans = knots.count() - 1;
   const int k = wrapped(j, spans);
   const int turns = (j - k) / spans;
-  // Only other turns add the period, so that uniform knots stay integers.
-  return turns == 0 ? knots[k] : knots[k] + turns * (knots.back() - knots.front());
+  // Only other turns add the period, so that uniform knots stay integers. Differences from the near
+  // end keep knots there equal.
+  if (turns == 0) return knots[k];
+  const double period = knots.back() - knots.front();
+  return turns > 0 ? knots.back() + (knots[k] - knots.front()) + (turns - 1) * period
+                   : knots.front() - (knots.back() - knots[k]) + (turns + 1) * period;
 }
 
 Array<double> knotsWithPoint(const Array<double>& knots, int degree, bool closed, int i) {
   const int spans = spanCount(knots, degree, closed);
-  int span = middleSpan(i, degree, closed, spans);
+  const int middle = middleSpan(i, degree);
+  int span = closed ? wrapped(middle, spans) : std::clamp(middle, 0, spans - 1);
+  // The new knots before knot 0 of a closed curve, one in each turn.
+  const int before0 = closed ? (span - middle) / spans : 0;
   const auto lengthOf = [&](int j) {
     return knotOfSpan(knots, degree, closed, j + 1) - knotOfSpan(knots, degree, closed, j);
   };
@@ -134,19 +137,28 @@ Array<double> knotsWithPoint(const Array<double>& knots, int degree, bool closed
   const int k = span + (closed ? 0 : degree);
   Array<double> result = knots;
   result.insert(result.begin() + k + 1, (knots[k] + knots[k + 1]) / 2);
-  return result;
+  if (before0 == 0) return result;
+  // Knot 0 moves up with its points.
+  Array<double> moved;
+  for (int j = 0; j < result.count(); ++j) {
+    moved.push_back(knotOfSpan(result, degree, true, j - before0));
+  }
+  return moved;
 }
 
 Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool closed, int i) {
   const int spans = spanCount(knots, degree, closed);
   Array<double> result = knots;
+  const int k = middleSpan(i, degree) + 1;
   if (closed) {
-    // The removed knot is never the first or the last, which are the same knot of the closed curve.
-    const int k = middleSpan(i, degree, closed, spans);
-    result.erase(result.begin() + std::max(k, 1));
+    // Each removed knot before the new knot 0, one in each turn, moves knot 0 down with its points.
+    const int first = k < 1 ? 1 - k / (spans - 1) : 0;
+    result.clear();
+    for (int j = first; j <= first + spans; ++j) {
+      if (wrapped(j - k, spans) != 0) result.push_back(knotOfSpan(knots, degree, true, j));
+    }
   } else {
-    const int span = std::clamp(middleSpan(i, degree, closed, spans) + 1, 1, spans - 1);
-    result.erase(result.begin() + degree + span);
+    result.erase(result.begin() + degree + std::clamp(k, 1, spans - 1));
   }
   return result;
 }
