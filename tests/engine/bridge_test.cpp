@@ -9,6 +9,7 @@
 #include "curve_support.h"
 #include "curves/curve.h"
 #include "curves/query/evaluate.h"
+#include "curves/query/measure.h"
 #include "curves/spec/bases.h"
 #include "generators/curve_shapes.h"
 #include "generators/random_points.h"
@@ -102,6 +103,34 @@ TEST(Bridge, IsAbsentBetweenNearPoints) {
   Curve curve(surface, ofLevelZero({CurveKind::kBSpline}, 40, kFast), points);
   for (int j = 0; j < curve.segmentCount(); ++j) EXPECT_TRUE(curve.bridges(j).empty());
   expectWhole(curve, surface);
+}
+
+TEST(Bridge, HasTheSameStatusAtALengthAsAtAParameter) {
+  Surface surface(importMesh(icosphere(12)).mesh);
+  Array<Vec3> corners;
+  for (int i = 0; i < 7; ++i) {
+    const double angle = 1.9 * i;
+    corners.emplace_back(std::cos(angle), std::sin(angle), 0.2 * (i % 3) - 0.2);
+  }
+  int tested = 0;
+  for (const CurveKind kind : {CurveKind::kBSpline, CurveKind::kBezier}) {
+    Curve curve(surface, ofLevelZero({kind}, 16, kFast), pointsNear(surface.mesh(), corners));
+    const CurveLine line = lineOf(curve);
+    for (int j = 0; j < curve.segmentCount(); ++j) {
+      for (const Bridge& bridge : curve.bridges(j)) {
+        for (int k = 1; k < 64; ++k) {
+          const double t = bridge.t0 + (bridge.t1 - bridge.t0) * k / 64;
+          const double length = lengthAt(curve, line, j + t);
+          // Bridges may end with a part without length.
+          if (length == lengthAt(curve, line, j + bridge.t1)) continue;
+          ++tested;
+          EXPECT_EQ(pointAtLength(curve, line, length).status, pointAt(curve, j + t).status)
+              << "t = " << t << " between " << bridge.t0 << " and " << bridge.t1;
+        }
+      }
+    }
+  }
+  EXPECT_GT(tested, 0);
 }
 
 TEST(Bridge, KeepsTheCurveContinuousAroundTheSphere) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "curves/trace/bridge.h"
 #include "intrinsic/surface_path.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
@@ -29,8 +30,10 @@ double between(const Array<double>& values, const Place& place) {
 
 SampleStatus statusAt(const Curve& curve, double parameter) {
   const SegmentParameter at = segmentParameter(curve, parameter);
+  const Bridge* bridge = bridgeOver(curve.bridges(at.segment), at.t);
   for (const CurveSample& sample : curve.samples(at.segment)) {
-    if (sample.t >= at.t) return sample.status;
+    if (sample.t < at.t) continue;
+    return bridge && sample.t > at.t ? statusOn(*bridge) : sample.status;
   }
   return SampleStatus::kConverged;
 }
