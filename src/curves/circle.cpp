@@ -399,8 +399,11 @@ GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double
     const double reach = i % 2 == 0 ? 1 : 1 / std::cos(halfAngle);
     const Vec2 place =
         reach * Vec2(along * std::cos(i * halfAngle), across * std::sin(i * halfAngle));
+    // The directions ascend, as `planeArc` needs: it takes the differences of them.
+    double turned = angleOf(place);
+    if (turned < 0) turned += 2 * kPi;
     // Around a vertex, the plane's angles are scaled to the vertex's total angle.
-    const double angle = angleOf(place) * from.totalAngle() / (2 * kPi);
+    const double angle = turned * from.totalAngle() / (2 * kPi);
     points.push_back({begin + angle, place.norm()});
   }
   Array<Arc> arcs;

@@ -342,5 +342,56 @@ TEST(Ellipse, WithEqualRadiiIsTheCircle) {
             ErrorCode::kBadArgument);
 }
 
+TEST(Ellipse, AboutAConesTipIsSymmetricAndThatOfTheUnrolledCone) {
+  // Tips with less and with more than a full turn.
+  for (const double zigzag : {0.0, 1.0}) {
+    Array<Vec3> positions{Vec3::Zero()};
+    Array<Triangle> triangles;
+    const int sides = 30;
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * kPi * i / sides;
+      const double height = zigzag == 0 ? 1 : i % 2 == 0 ? zigzag : -zigzag;
+      positions.push_back(Vec3(std::cos(angle), std::sin(angle), height));
+      triangles.push_back(Triangle(0, i + 1, (i + 1) % sides + 1));
+    }
+    Surface surface(buildMesh(positions, triangles));
+    const Geometry& geometry = surface.geometry();
+    const SurfacePoint tip = vertexPoint(surface.mesh(), 0);
+    const double scale = geometry.totalAngle[0] / (2 * kPi);
+    const Vec2 direction =
+        cornerInFace(geometry, tip.face, 1) - cornerInFace(geometry, tip.face, 0) +
+        cornerInFace(geometry, tip.face, 2) - cornerInFace(geometry, tip.face, 0);
+    const int arcs = zigzag == 0 ? 7 : 15;
+    const int samples = 9;
+    const double along = 0.4;
+    const double across = 0.2;
+    const GeodesicCircle ellipse =
+        traceEllipse(surface, tip, along, across, direction, {arcs, samples, kPaperExact});
+    // A control point in the unrolled cone, by the number of half arcs from the first axis.
+    const auto control = [&](int i) -> Vec2 {
+      const double angle = i * kPi / arcs;
+      const double reach = i % 2 == 0 ? 1 : 1 / std::cos(kPi / arcs);
+      const Vec2 place(reach * along * std::cos(angle), reach * across * std::sin(angle));
+      // The angle in the plane from the axis, in the same quadrant as `angle`.
+      const double off = std::remainder(angleOf(place) - angle, 2 * kPi);
+      return place.norm() * unitVector(scale * (angle + off));
+    };
+    for (int j = 0; j < arcs; ++j) {
+      for (int k = 0; k < samples; ++k) {
+        const double t = k / (samples - 1.0);
+        const double middle = 2 * t * (1 - t) * std::cos(kPi / arcs);
+        const double sum = (1 - t) * (1 - t) + middle + t * t;
+        const Vec2 place = ((1 - t) * (1 - t) * control(2 * j) + middle * control(2 * j + 1) +
+                            t * t * control(2 * j + 2)) /
+                           sum;
+        const double length = shortestPath(geometry, tip, ellipse.samples[j][k].point).length();
+        EXPECT_NEAR(length, place.norm(), 1e-9) << "arc " << j << ", sample " << k;
+        const SurfacePoint& mirrored = ellipse.samples[arcs - 1 - j][samples - 1 - k].point;
+        EXPECT_NEAR(length, shortestPath(geometry, tip, mirrored).length(), 1e-9);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace karcher
