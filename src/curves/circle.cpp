@@ -221,9 +221,7 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
   distance.grow(farthest + geometry.meanEdge);
   checkRadius(surface.mesh(), distance, radius);
 
-  const double tolerance = 0.05 * geometry.meanEdge;
   Array<SurfacePoint> points;
-  Array<uint8_t> shortest;
   for (int i = 0; i < arcPoints.count(); ++i) {
     const double length = arcPoints[i].distance;
     const StraightestPath path = from.trace(arcPoints[i].direction, length);
@@ -232,11 +230,26 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
                   "the geodesic to arc " + std::to_string(i / 2) + " meets the boundary");
     }
     points.push_back(path.path.end());
-    shortest.push_back(distanceAt(geometry, distance, points.back()) > length - tolerance);
+  }
+  // A disk without other vertices may overlap itself, for instance around a prism. Few faces, which
+  // may be large, cover it.
+  const bool plain = isPlain(surface.mesh(), distance, farthest);
+  const Array<double> lengths =
+      plain ? exactLengths(geometry, center, points, farthest) : Array<double>();
+  const double tolerance = (plain ? kChainRounding : 0.05) * geometry.meanEdge;
+  Array<uint8_t> shortest;
+  for (int i = 0; i < points.count(); ++i) {
+    const double length = plain ? lengths[i] : distanceAt(geometry, distance, points[i]);
+    shortest.push_back(length > arcPoints[i].distance - tolerance);
+  }
+  GeodesicCircle circle;
+  for (int j = 0; j < arcs.count(); ++j) {
+    if (!shortest[2 * j] || !shortest[2 * j + 1] || !shortest[(2 * j + 2) % points.count()]) {
+      circle.notShortest.push_back(j);
+    }
   }
 
-  if (isPlain(surface.mesh(), distance, farthest)) {
-    GeodesicCircle circle;
+  if (plain) {
     for (int j = 0; j < arcs.count(); ++j) {
       const int last = (2 * j + 2) % points.count();
       ArcPoint end = arcPoints[last];
@@ -251,15 +264,11 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
   }
 
   const Curve curve(surface, optionsOfArcs(arcs, options), points);
-  GeodesicCircle circle;
   circle.levels = curve.levels();
   for (int j = 0; j < arcs.count(); ++j) {
     circle.samples.push_back(curve.samples(j));
     circle.bridges.push_back(curve.bridges(j));
     circle.paths.push_back(curve.path(j));
-    if (!shortest[2 * j] || !shortest[2 * j + 1] || !shortest[(2 * j + 2) % points.count()]) {
-      circle.notShortest.push_back(j);
-    }
   }
   return circle;
 }

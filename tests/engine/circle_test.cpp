@@ -265,6 +265,39 @@ TEST(Circle, MarksArcsWhoseGeodesicsAreNotShortest) {
   EXPECT_FALSE(wide.notShortest.empty());
 }
 
+TEST(Circle, MarksArcsThatOverlapAroundATubeWithoutVertices) {
+  // A triangular prism of long faces: around it two geodesics meet at half the circumference, 1.5.
+  Array<Vec3> positions;
+  Array<Triangle> triangles;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 place = unitVector(2 * kPi * i / 3) / std::sqrt(3.0);
+    positions.push_back(Vec3(place.x(), place.y(), 0));
+    positions.push_back(Vec3(place.x(), place.y(), 20));
+    const int next = 2 * ((i + 1) % 3);
+    triangles.push_back(Triangle(2 * i, next, 2 * i + 1));
+    triangles.push_back(Triangle(next, next + 1, 2 * i + 1));
+  }
+  triangles.push_back(Triangle(0, 4, 2));
+  triangles.push_back(Triangle(1, 3, 5));
+  Surface surface(buildMesh(positions, triangles));
+  const SurfacePoint center =
+      nearestPoint(surface.mesh(), (positions[0] + positions[2]) / 2 + Vec3(0, 0, 10));
+  const GeodesicCircle narrow = traceCircle(surface, center, 1.2, {7, 8, kPaperExact});
+  EXPECT_TRUE(narrow.notShortest.empty());
+  const GeodesicCircle wide = traceCircle(surface, center, 3, {7, 8, kPaperExact});
+  // An arc whose end, itself a control point, has a shorter path on the other side of the tube.
+  int overlaps = 0;
+  for (int j = 0; j < 7; ++j) {
+    const auto isNearer = [&](const CurveSample& end) {
+      return shortestPath(surface.geometry(), center, end.point).length() < 3 - 1e-6;
+    };
+    if (!isNearer(wide.samples[j].front()) && !isNearer(wide.samples[j].back())) continue;
+    ++overlaps;
+    EXPECT_TRUE(std::count(wide.notShortest.begin(), wide.notShortest.end(), j)) << "arc " << j;
+  }
+  EXPECT_GT(overlaps, 0);
+}
+
 TEST(Circle, RefusesInvalidRadiiArcsAndSamples) {
   Surface surface(planeGrid(10, 10));
   const SurfacePoint center = nearestPoint(surface.mesh(), Vec3(3.3, 5.2, 0));
