@@ -55,6 +55,21 @@ void takeWeights(const RefinedPolygon& polygon, const SegmentLayout& piece,
   for (const int point : piece.points) weights.push_back(polygon.points[point].weight);
 }
 
+/// A segment with one point for each weight of its basis, as the segment goes along the legs: all
+/// around a closed curve, a point occurs several times. Writes to `copy` if that is another
+/// segment. The imaginary point beyond an open end has no leg, so its segment stays.
+const SegmentLayout& unfolded(const SegmentLayout& segment, SegmentLayout& copy) {
+  const Array<SegmentBasis::Fold>& folds = segment.basis.folds;
+  const auto isOfMany = [](const SegmentBasis::Fold& fold) { return fold.factor != 1; };
+  if (folds.empty() || std::any_of(folds.begin(), folds.end(), isOfMany)) return segment;
+  copy.points.clear();
+  for (const SegmentBasis::Fold& fold : folds) copy.points.push_back(segment.points[fold.to]);
+  copy.basis = segment.basis;
+  copy.basis.folds.clear();
+  copy.basis.points = copy.points.count();
+  return copy;
+}
+
 }  // namespace
 
 bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorkspace& workspace) {
@@ -62,11 +77,13 @@ bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorks
     return detailAlong(geometry, leg) > kMostDetail;
   };
   if (std::any_of(polygon.legs.begin(), polygon.legs.end(), hasDetail)) return false;
-  return std::all_of(polygon.pieces.begin(), polygon.pieces.end(), [&](const SegmentLayout& piece) {
-    takeWeights(polygon, piece, workspace.weights);
-    return leastConvexity(geometry, polygon.legs, piece, workspace.weights, workspace.convexity) >=
-           kLeastConvexity;
-  });
+  return std::all_of(polygon.pieces.begin(), polygon.pieces.end(),
+                     [&](const SegmentLayout& folded) {
+                       const SegmentLayout& piece = unfolded(folded, workspace.unfolded);
+                       takeWeights(polygon, piece, workspace.weights);
+                       return leastConvexity(geometry, polygon.legs, piece, workspace.weights,
+                                             workspace.convexity) >= kLeastConvexity;
+                     });
 }
 
 int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
@@ -108,7 +125,8 @@ int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& l
 double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
                        LevelsWorkspace& workspace) {
   double most = 0;
-  for (const SegmentLayout& segment : polygon.pieces) {
+  for (const SegmentLayout& folded : polygon.pieces) {
+    const SegmentLayout& segment = unfolded(folded, workspace.unfolded);
     takeWeights(polygon, segment, workspace.weights);
     most = std::max(most, segmentDeviation(geometry, polygon.legs, segment, workspace.weights,
                                            workspace.deviation));

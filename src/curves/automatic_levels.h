@@ -28,6 +28,7 @@ struct LevelsWorkspace {
   ConvexityWorkspace convexity;
   DeviationWorkspace deviation;
   Array<double> weights;
+  SegmentLayout unfolded;
   StripWorkspace strip;
   SurfacePath tight;
 };

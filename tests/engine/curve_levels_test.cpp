@@ -331,6 +331,29 @@ TEST(CurveLevels, ChosenAutomaticallyAre0OnASmoothSurfaceWhereTheyWouldMoveTheCu
   }
 }
 
+TEST(CurveLevels, OfSegmentsAllAroundAClosedCurveReportTheirDeviation) {
+  Surface surface(meshOf(makeShape(Shape::kSphere, 32000)));
+  const double edge = surface.geometry().meanEdge;
+  for (const CurveKind kind : {CurveKind::kBSpline, CurveKind::kBezier}) {
+    const CurveShape shape{kind, true};
+    const int count = kind == CurveKind::kBSpline ? 3 : 6;
+    for (const double radius : {0.3, 0.4}) {
+      SCOPED_TRACE(std::to_string(count) + " points at radius " + std::to_string(radius));
+      Array<Vec3> places;
+      for (int i = 0; i < count; ++i) {
+        const Vec2 around = std::sin(radius) * unitVector(0.2 + 2 * kPi * i / count);
+        places.emplace_back(around.x(), around.y(), std::cos(radius));
+      }
+      const Array<SurfacePoint> points = pointsNear(surface.mesh(), places);
+      Curve levels(surface, optionsOf(shape, 65, 4, kExact), points);
+      Curve centers(surface, optionsOf(shape, 65, 0, kExact), points);
+      const double deviation = largestDistance(levels, centers);
+      EXPECT_LE(deviation, levels.deviation() + 0.01 * edge);
+      EXPECT_GE(deviation + 0.01 * edge, 0.4 * levels.deviation());
+    }
+  }
+}
+
 TEST(CurveLevels, ChosenAutomaticallyDoNotDependOnTheTrianglesOfADevelopableSurface) {
   // Levels do not move the curve on such a surface, and every point is safe.
   const FlatCylinder cylinder = flatCylinder(24, 3, 5);
