@@ -58,11 +58,6 @@ void checkLegCount(const CurveValue& value) {
                                            " legs, not " + std::to_string(value.legs.count()));
 }
 
-/// Whether the end of a leg is the control point.
-bool isAt(const TriangleMesh& mesh, const SurfacePoint& end, const SurfacePoint& point) {
-  return isSame(end, point) || (position(mesh, end) - position(mesh, point)).norm() == 0;
-}
-
 double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
   double length = 0;
   for (int k = 1; k < piece.points.count(); ++k) {
@@ -234,8 +229,11 @@ void Curve::continueLegs(CurveValue& value) {
     if (leg.points.empty()) continue;
     const SurfacePoint& from = value.points[i];
     const SurfacePoint& to = value.points[(i + 1) % value.points.count()];
-    const bool startsThere = isAt(*geometry.mesh, leg.start(), from);
-    const bool endsThere = isAt(*geometry.mesh, leg.end(), to);
+    const bool startsThere = samePlace(*geometry.mesh, leg.start(), from);
+    const bool endsThere = samePlace(*geometry.mesh, leg.end(), to);
+    // The frames of a leg's ends are those of the points' faces.
+    if (startsThere) leg.points.front() = from;
+    if (endsThere) leg.points.back() = to;
     if (startsThere && endsThere) continue;
     const bool reaches = usesLegs(value.options) &&
                          (endsThere || moveEnd(geometry, to, leg, workspace)) &&

@@ -492,6 +492,53 @@ TEST(CurveLevels, FollowTheGivenLegs) {
   }
 }
 
+TEST(CurveLevels, StayIfAPointTakesItsPlaceInAnotherFace) {
+  Surface surface(meshOf(makeShape(Shape::kTorus, 3000)));
+  const TriangleMesh& mesh = surface.mesh();
+  Array<SurfacePoint> points = pointsNear(
+      mesh, {{1.4, 0, 0}, {1.3, 0.35, 0.1}, {1.1, 0.7, 0.2}, {0.9, 0.9, 0.25}, {0.6, 1.2, 0.1}});
+  for (int corner = 0; corner < 3; ++corner) {
+    const int h = 3 * points[1].face + corner;
+    ASSERT_GE(mesh.twin[h], 0);
+    Array<SurfacePoint> here = points;
+    here[1] = edgePoint(h, 0.5);
+    const CurveOptions options = optionsOf({CurveKind::kCatmullRom}, 33, 3, kFast);
+    const Curve before(surface, options, here);
+    Curve after(surface, options, here);
+    after.dragPoint(1, edgePoint(mesh.twin[h], 0.5));
+    EXPECT_LT(largestGap(before, after), 1e-9);
+  }
+}
+
+TEST(CurveLevels, FollowAPointAcrossASlit) {
+  // The line x = 2 is cut up to y = 2: its vertices below have a copy for the squares on its right.
+  const TriangleMesh whole = planeGrid(4, 4);
+  Array<Vec3> positions = whole.positions;
+  positions.push_back({2, 0, 0});
+  positions.push_back({2, 1, 0});
+  Array<Triangle> triangles;
+  for (int f = 0; f < whole.faceCount(); ++f) {
+    Triangle triangle(whole.corner(f, 0), whole.corner(f, 1), whole.corner(f, 2));
+    double middle = 0;
+    for (int k = 0; k < 3; ++k) middle += positions[triangle[k]].x() / 3;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& at = positions[triangle[k]];
+      if (middle > 2 && at.x() == 2 && at.y() < 2) triangle[k] = 25 + static_cast<int>(at.y());
+    }
+    triangles.push_back(triangle);
+  }
+  Surface surface(buildMesh(positions, triangles));
+  const TriangleMesh& mesh = surface.mesh();
+  const Array<SurfacePoint> points{nearestPoint(mesh, {0.5, 0.6, 0}),
+                                   nearestPoint(mesh, {1, 1.2, 0}), vertexPoint(mesh, 5 + 2)};
+  Curve curve(surface, optionsOf({CurveKind::kBezier}, 9, 2, kExact), points);
+  curve.dragPoint(2, vertexPoint(mesh, 26));
+  const SurfacePath& leg = curve.legs()[1];
+  EXPECT_TRUE(samePlace(mesh, leg.end(), vertexPoint(mesh, 26)));
+  // Around the end of the slit.
+  EXPECT_NEAR(leg.length(), std::hypot(1, 0.8) + 1, 1e-9);
+}
+
 bool hasAllCenters(const Curve& curve) {
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
