@@ -35,6 +35,10 @@ Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& pat
     if (apart.empty() || (position(mesh, apart.back()) - position(mesh, points[i])).norm() >
                              kLocalRounding * geometry.meanEdge) {
       apart.push_back(points[i]);
+    } else if (apart.count() > 1 && i + 1 == points.count()) {
+      // The last point itself stays, so that a closed path stays closed.
+      if (haveCommonFace(mesh, apart[apart.count() - 2], points[i])) apart.pop_back();
+      apart.push_back(points[i]);
     }
   }
   if (apart.count() < 2) refusePath("has no length");
@@ -49,10 +53,11 @@ int PathDistance::partsOf(const SurfacePath& path) const {
 }
 
 /// The distance with which fronts start at a place of a path: the greatest width minus the width at
-/// this place, or 0 without widths. `length` is the length of the path up to the place.
+/// this place, or 0 without widths or without a length of the path. `length` is the length of the
+/// path up to the place.
 double PathDistance::startAt(const SurfacePath& path, double length) const {
   const int parts = partsOf(path);
-  if (parts == 0) return 0;
+  if (parts == 0 || !(path.length() > 0)) return 0;
   const double at = std::min(length / path.length(), 1.0) * parts;
   const int k = std::min(static_cast<int>(at), parts - 1);
   const double from = widths_[static_cast<size_t>(k)];

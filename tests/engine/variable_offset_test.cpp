@@ -313,6 +313,44 @@ TEST(VariableOffset, TheDistanceOnMeshesIsTheLeastOfThePathsPoints) {
   }
 }
 
+TEST(VariableOffset, OfAClosedPathWhoseLastStepIsRoundingIsThatOfTheClosedPath) {
+  const Sheet sheet(planeGrid(12, 10));
+  const Array<Vec2> corners{{3, 2.5}, {9.3, 3.2}, {6.2, 8.1}};
+  const Array<double> distances{0.3, 1.4, 0.7};
+  const SurfacePath path = polygonOn(sheet.geometry, corners, true);
+  // The path comes back to its start, which lies on an edge, with a weight that is off by rounding.
+  const SurfacePoint last = path.points.back();
+  const SurfacePoint before = path.points[path.points.count() - 2];
+  const int face = commonFace(sheet.mesh, before, last);
+  SurfacePoint twin = inFace(sheet.mesh, last, face);
+  int corner = 0;
+  ASSERT_EQ(twin.bary.minCoeff(&corner), 0);
+  twin.bary[corner] = 1e-15;
+  Array<SurfacePoint> points = path.points;
+  points.back() = twin;
+  points.push_back(last);
+  const SurfacePath closed = pathThrough(sheet.mesh, points);
+  const PathDistance field(sheet.geometry, {&closed, 1}, kInfinity, distances);
+  for (int v = 0; v < sheet.mesh.vertexCount(); ++v) {
+    const Vec2 place = sheet.mesh.positions[v].head<2>();
+    EXPECT_NEAR(field.atVertex(v), 1.4 + outside(place, corners, true, distances), 1e-8);
+  }
+}
+
+TEST(VariableOffset, RefusesAPathWithoutLength) {
+  const Sheet sheet(planeGrid(4, 4));
+  const SurfacePoint vertex = vertexPoint(sheet.mesh, 12);
+  const SurfacePath path{{vertex, vertex}, {0, 0}};
+  const double widths[] = {0.1, 0.2};
+  try {
+    offsetLines(sheet.geometry, {&path, 1}, widths, OffsetSide::kBoth);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadArgument);
+    EXPECT_STREQ(error.what(), "path 0 has no length");
+  }
+}
+
 TEST(VariableOffset, RefusesInvalidDistancesAndMiters) {
   const Sheet sheet(planeGrid(4, 4));
   const SurfacePath path = polygonOn(sheet.geometry, {Vec2(1, 1), Vec2(3, 2)}, false);
