@@ -19,11 +19,13 @@ struct MidpointArrival {
 
 /// The last step of the path to a vertex. It starts on the line from `tail` to `head`, two
 /// neighbours of the vertex. `part` is the ratio of the start's distance from `tail` to the line's
-/// length.
+/// length. If the path comes straight from a vertex at which it turns, the step starts there: both
+/// `tail` and `head` are this vertex, which need not be a neighbour.
 struct PathStep {
   int tail = -1;  ///< the neighbour at `part` 0, or -1 at the source
   int head = -1;
-  double part = 0;  ///< a number in [0, 1]
+  double part = 0;    ///< a number in [0, 1]
+  int halfedge = -1;  ///< the half-edge from `tail` to `head` opposite to the vertex, or -1
 };
 
 /// The aim of a search: the paths that lead to a ball in space and are no longer than `mostLength`.

@@ -1,5 +1,7 @@
 #include "distance/source_vectors.h"
 
+#include "mesh/rounding.h"
+
 namespace karcher {
 
 void SourceVectors::setSource(const SurfacePoint& source) {
@@ -38,14 +40,14 @@ void SourceVectors::know(int vertex, const Vec2& vector) {
   states_[vertex] = State::kKnown;
 }
 
-const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
+const Vec2& SourceVectors::at(DistanceSolver& solver, int vertex) {
   // The loop ends, since it visits each vertex at most once. Rounding may make two vertices wait
   // for each other: each is an end of the edge that the other's path crosses last. One of the two
   // then takes its vector from the other end of its edge alone.
   ask(solver, vertex);
   while (!asked_.empty()) {
     const Asked last = asked_.back();
-    if (ask(solver, last.step.tail) || ask(solver, last.step.head)) continue;
+    if (ask(solver, last.tail) || ask(solver, last.head)) continue;
     asked_.pop_back();
     take(last, solver.distance(last.vertex));
   }
@@ -53,24 +55,49 @@ const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
 }
 
 /// Queues a vertex if its vector is unknown, and returns whether it did.
-bool SourceVectors::ask(const DistanceSolver& solver, int vertex) {
+bool SourceVectors::ask(DistanceSolver& solver, int vertex) {
   if (vertex < 0 || states_[vertex] != State::kUnknown) return false;
   states_[vertex] = State::kAsked;
-  asked_.push_back({vertex, solver.stepTo(vertex)});
+  const double distance = solver.growTo(vertex);
+  const PathStep step = solver.stepTo(vertex);
+  Asked asked{vertex, step.tail, step.head, step.part};
+  if (step.halfedge >= 0) {
+    const int h = step.halfedge;
+    const Vec2 tail = cornerInFace(geometry_, faceOf(h), cornerOf(h));
+    const Vec2 edge = halfedgeInFace(geometry_, h);
+    const Vec2 apex = cornerInFace(geometry_, faceOf(h), cornerOf(previous(h)));
+    const Vec2 source = apex + distance * (tail + step.part * edge - apex).normalized();
+    // Turns of the directions from the source, from the ends to the vertex.
+    asked.fromTail = rotateBack(tail - source, apex - source);
+    asked.fromHead = rotateBack(tail + edge - source, apex - source);
+    const auto seesSource = [&](int side) {
+      const double length = solver.growTo(geometry_.mesh->tail(side));
+      const Vec2 toSource = solver.logVector(geometry_.mesh->tail(side)) / -2;
+      const Vec2 seen = cornerInFace(geometry_, faceOf(side), cornerOf(side)) +
+                        rotate(geometry_.vertexToFace[side], toSource);
+      return (seen - source).norm() <= kChainRounding * (distance + length);
+    };
+    const bool byTail = seesSource(h);
+    const bool byHead = seesSource(next(h));
+    if (byTail && !byHead) asked.head = -1;
+    if (byHead && !byTail) asked.tail = -1;
+  }
+  asked_.push_back(asked);
   return true;
 }
 
 void SourceVectors::take(const Asked& asked, double distance) {
-  const PathStep& step = asked.step;
   const auto isKnown = [&](int v) { return v >= 0 && states_[v] == State::kKnown; };
   Vec2 vector = Vec2::Zero();
-  if (isKnown(step.tail) && isKnown(step.head)) {
-    vector = (1 - step.part) * vectors_[step.tail] + step.part * vectors_[step.head];
-  } else if (isKnown(step.head)) {
-    vector = vectors_[step.head];
+  if (isKnown(asked.tail) && isKnown(asked.head)) {
+    vector = (1 - asked.part) * vectors_[asked.tail] + asked.part * vectors_[asked.head];
+  } else if (isKnown(asked.head)) {
+    vector = rotate(asked.fromHead, vectors_[asked.head]);
   }
   // The interpolated vector may vanish if the ends lie on opposite sides of the source.
-  if (!(vector.norm() > 0) && isKnown(step.tail)) vector = vectors_[step.tail];
+  if (!(vector.norm() > 0) && isKnown(asked.tail)) {
+    vector = rotate(asked.fromTail, vectors_[asked.tail]);
+  }
   const double length = vector.norm();
   vectors_[asked.vertex] = length > 0 ? Vec2(distance / length * vector) : Vec2::Zero();
   states_[asked.vertex] = State::kKnown;

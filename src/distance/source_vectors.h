@@ -10,6 +10,14 @@
 /// length changes. So directions spread outwards from the source (after E. Melvaer, M. Reimers,
 /// "Geodesic Polar Coordinates on Polygonal Meshes", 2012, who interpolate angles). On a plane they
 /// are exact.
+///
+/// Across the cut locus, and behind a vertex at which paths turn, interpolation mixes vectors of
+/// different fronts. If one end of the edge sees the source at the same place as the vertex does,
+/// unfolded into the plane of the last face, and the other end does not, the vector is that of the
+/// first end, turned by the angle between the two as seen from the source. This is exact. If paths
+/// come straight from a turn, they have the direction of the path to the turn. If neither end sees
+/// the source there, the class interpolates. So on surfaces that unroll, directions may be inexact
+/// where three fronts meet within an edge, and elsewhere near the cut locus.
 namespace karcher {
 
 class SourceVectors {
@@ -22,8 +30,8 @@ class SourceVectors {
   void setSource(const SurfacePoint& source);
 
   /// The log of a vertex at the source, in the tangent plane of the source's face or vertex. The
-  /// solver must have the same source, implement `stepTo`, and have grown to the vertex.
-  const Vec2& at(const DistanceSolver& solver, int vertex);
+  /// solver must have the same source and implement `stepTo`. It grows as far as needed.
+  const Vec2& at(DistanceSolver& solver, int vertex);
 
  private:
   enum class State : uint8_t { kUnknown, kAsked, kKnown };
@@ -31,11 +39,16 @@ class SourceVectors {
   /// A vertex that waits for the earlier vertices on its path.
   struct Asked {
     int vertex = -1;
-    PathStep step;
+    int tail = -1;  ///< the ends of the edge, or -1 if an end is on another front
+    int head = -1;
+    double part = 0;
+    /// the turns of the directions from the source, from an end to the vertex; of any length
+    Vec2 fromTail = Vec2::UnitX();
+    Vec2 fromHead = Vec2::UnitX();
   };
 
   void know(int vertex, const Vec2& vector);
-  bool ask(const DistanceSolver& solver, int vertex);
+  bool ask(DistanceSolver& solver, int vertex);
   void take(const Asked& asked, double distance);
 
   const Geometry& geometry_;

@@ -49,43 +49,60 @@ LinePoint linePointAt(const Geometry& geometry, const SurfacePath& line, double 
 }
 
 /// The point of a line nearest to a point. The search compares the ends of kParts equal parts of
-/// the line, and continues between the nearest of them and a neighbour.
+/// the line, and continues between the nearest of them and a neighbour. An end of the line from
+/// which the line leads away has no perpendicular to the point. Another part of the line may.
 LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
                  FindPathWorkspace& workspace) {
   const double whole = line.length();
   const auto at = [&](double length) {
     return linePointAt(geometry, line, length, point, workspace);
   };
-  LinePoint best = at(0);
-  for (int i = 1; i <= kParts; ++i) {
-    LinePoint candidate = at(whole * i / kParts);
-    if (candidate.path.length() < best.path.length()) best = std::move(candidate);
+  const auto atPart = [&](int i) { return at(i == kParts ? whole : whole * i / kParts); };
+  const auto leadsAway = [&](const LinePoint& end) {
+    return end.length == whole ? end.slope < 0 : end.length == 0 && end.slope >= 0;
+  };
+  // If a point lies on the perpendicular at an end of the line, rounding may put its foot beyond
+  // the end.
+  const auto isFoot = [&](const LinePoint& end) {
+    const double far = end.path.length();
+    return std::abs(end.slope) * far <= kLocalRounding * (whole + far);
+  };
+  LinePoint best;
+  int nearest = -1;
+  double fromEnd = kInfinity;
+  for (int i = 0; i <= kParts; ++i) {
+    LinePoint candidate = atPart(i);
+    const double far = candidate.path.length();
+    if (leadsAway(candidate) && !isFoot(candidate)) {
+      fromEnd = std::min(fromEnd, far);
+    } else if (nearest < 0 || far < best.path.length()) {
+      best = std::move(candidate);
+      nearest = i;
+    }
   }
-  // The slope changes its sign between the best point and its neighbour, unless the neighbour is an
-  // end of the line and the foot lies beyond it.
-  const bool isAhead = best.slope < 0;
-  LinePoint other = at(isAhead ? std::min(whole, best.length + whole / kParts)
-                               : std::max(0.0, best.length - whole / kParts));
-  const bool isEnd =
-      isAhead ? other.length == whole && other.slope < 0 : other.length == 0 && other.slope >= 0;
-  if (isEnd) {
-    // If a point lies on the perpendicular at an end of the line, rounding may put its foot beyond
-    // the end.
-    const double far = other.path.length();
-    if (std::abs(other.slope) * far > kLocalRounding * (whole + far)) throwNoFoot();
-    return other;
+  if (nearest < 0) throwNoFoot();
+  if (!leadsAway(best)) {
+    // The slope changes its sign between the best point and its neighbour, unless the neighbour is
+    // an end of the line and the foot lies beyond it.
+    const bool isAhead = best.slope < 0;
+    LinePoint other = atPart(isAhead ? nearest + 1 : nearest - 1);
+    if (leadsAway(other)) {
+      if (!isFoot(other)) throwNoFoot();
+      return other;
+    }
+    const LinePoint& low = isAhead ? best : other;
+    const LinePoint& high = isAhead ? other : best;
+    const double rounding = kStepRounding * whole;
+    signChange(low.length, high.length, low.slope, high.slope, rounding, [&](double length) {
+      LinePoint candidate = at(length);
+      const double slope = candidate.slope;
+      // Near the foot, lengths differ only by rounding, so that the slope decides.
+      const bool isNearer = candidate.path.length() < (1 - kLocalRounding) * best.path.length();
+      if (isNearer || std::abs(slope) < std::abs(best.slope)) best = std::move(candidate);
+      return slope;
+    });
   }
-  const LinePoint& low = isAhead ? best : other;
-  const LinePoint& high = isAhead ? other : best;
-  const double rounding = kStepRounding * whole;
-  signChange(low.length, high.length, low.slope, high.slope, rounding, [&](double length) {
-    LinePoint candidate = at(length);
-    const double slope = candidate.slope;
-    // Near the foot, lengths differ only by rounding, so that the slope decides.
-    const bool isNearer = candidate.path.length() < (1 - kLocalRounding) * best.path.length();
-    if (isNearer || std::abs(slope) < std::abs(best.slope)) best = std::move(candidate);
-    return slope;
-  });
+  if (fromEnd < (1 - kLocalRounding) * best.path.length()) throwNoFoot();
   return best;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
-#include <utility>
 
 #include "intrinsic/angles.h"
 #include "mesh/error.h"
@@ -169,8 +168,11 @@ void WindowDistance::grow(double radius) {
 PathStep WindowDistance::stepTo(int vertex) const {
   const VertexRecord* record = vertices_.find(vertex);
   if (record == nullptr || record->via < 0) return {};
+  const auto& [length, before, turn] = record->arrival;  // Joint windows do not begin at a turn.
+  if (turn >= 0 && before > 0 && isTie(before, distance(turn))) return {turn, turn};
   const double part = record->crossing / geometry_.edgeLength[record->via];
-  return {mesh_.tail(record->via), mesh_.head(record->via), std::clamp(part, 0.0, 1.0)};
+  return {mesh_.tail(record->via), mesh_.head(record->via), std::clamp(part, 0.0, 1.0),
+          record->via};
 }
 
 double WindowDistance::direction(int vertex) const {

@@ -22,7 +22,7 @@ SurfacePoint movedInside(const SurfacePoint& place) {
 }
 
 /// The log vector of a point, interpolated between the corners of its face; exact on a plane.
-Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSolver& solver,
+Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, DistanceSolver& solver,
            SourceVectors& vectors) {
   Vec2 log = Vec2::Zero();
   for (int k = 0; k < 3; ++k) {

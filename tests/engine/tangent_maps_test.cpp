@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "distance/shortest_path.h"
+#include "distance/source_vectors.h"
+#include "generators/flat.h"
 #include "generators/random.h"
+#include "generators/region_drawings.h"
 #include "mesh/error.h"
 #include "mesh/shapes.h"
+#include "rcm/field_options.h"
 #include "support.h"
 
 namespace karcher {
@@ -72,6 +77,132 @@ TEST(TangentMaps, TransportKeepsLengthsAndAnglesAndComesBack) {
   }
 }
 
+/// Compares the log vectors of all vertices with the first directions of exact shortest paths, for
+/// flat surfaces.
+void expectVectorsOfShortestPaths(Surface& surface, const SurfacePoint& source, Solver solver,
+                                  double tolerance) {
+  const Geometry& geometry = surface.geometry();
+  const TriangleMesh& mesh = surface.mesh();
+  const auto distance = makeDistanceSolver(surface, {Method::kKarcher, solver, 6});
+  distance->setSource(source);
+  distance->grow(kInfinity);
+  SourceVectors vectors(geometry);
+  vectors.setSource(source);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const SurfacePath path = shortestPath(geometry, source, vertexPoint(mesh, v));
+    const Vec2 log = logAlong(geometry, path);
+    EXPECT_LT((vectors.at(*distance, v) - log).norm(), tolerance * (1 + log.norm()))
+        << "vertex " << v << " at " << mesh.positions[v].transpose();
+  }
+}
+
+TEST(SourceVectors, WithinARadiusAreThoseWithoutIt) {
+  // The grid is so oblique that the last edge on a path may end far beyond the radius.
+  Array<Vec3> positions;
+  for (int j = 0; j <= 12; ++j) {
+    for (int i = 0; i <= 12; ++i) positions.emplace_back(i + 3 * j, j, 0);
+  }
+  const TriangleMesh mesh = buildMesh(positions, planeGrid(12, 12).faces);
+  Surface surface(mesh);
+  const SurfacePoint source{156, Vec3(0.3, 0.3, 0.4)};
+  const double radius = 2.5;
+  for (const Solver solver : {Solver::kFast, Solver::kExact}) {
+    const auto distance = makeDistanceSolver(surface, {Method::kKarcher, solver, 6});
+    distance->setSource(source);
+    distance->grow(radius);
+    SourceVectors vectors(surface.geometry());
+    vectors.setSource(source);
+    int count = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      if (distance->distance(v) > radius) continue;
+      ++count;
+      const Vec2 way =
+          toFace(surface.geometry(), source.face, mesh.positions[v] - position(mesh, source));
+      EXPECT_LT((vectors.at(*distance, v) - way).norm(), 1e-9) << "vertex " << v;
+    }
+    EXPECT_GT(count, 10);
+  }
+}
+
+TEST(SourceVectors, BehindATurnHaveTheDirectionOfTheTurn) {
+  Array<Triangle> faces;
+  const TriangleMesh grid = planeGrid(24, 24);
+  for (const Triangle& face : grid.faces) {
+    Vec3 middle = Vec3::Zero();
+    for (const int v : face) middle += grid.positions[v] / 3;
+    const bool isHole = middle.x() > 8 && middle.x() < 12 && middle.y() > 9 && middle.y() < 11;
+    if (!isHole) faces.push_back(face);
+  }
+  // The hole's inner vertices have no faces.
+  Array<Vec3> positions;
+  Array<int> number(grid.positions.size(), -1);
+  for (Triangle& face : faces) {
+    for (int& v : face) {
+      if (number[v] < 0) {
+        number[v] = positions.count();
+        positions.push_back(grid.positions[v]);
+      }
+      v = number[v];
+    }
+  }
+  Surface surface(buildMesh(positions, faces));
+  const SurfacePoint source = nearestPoint(surface.mesh(), Vec3(9.3, 3.2, 0));
+  const auto distance = makeDistanceSolver(surface, {Method::kKarcher, Solver::kExact, 6});
+  distance->setSource(source);
+  distance->grow(kInfinity);
+  SourceVectors vectors(surface.geometry());
+  vectors.setSource(source);
+  const Vec2& vector = vectors.at(*distance, number[11 + 25 * 20]);
+  const Vec2 turn = toFace(surface.geometry(), source.face, Vec3(8 - 9.3, 9 - 3.2, 0));
+  EXPECT_LT((vector.normalized() - turn.normalized()).norm(), 1e-9);
+  const uint64_t seed = 20261127;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (int i = 0; i < 3; ++i) {
+    const SurfacePoint place = somewhere(surface.mesh(), random);
+    expectVectorsOfShortestPaths(surface, place, Solver::kExact, 1e-9);
+  }
+}
+
+/// A tube of triangles that are congruent to (0, 0), (1, 0), (1 + shear, 1), so that it is flat.
+/// The rows have `count` edges. Each row is turned against the previous one.
+TriangleMesh obliqueTube(int count, int rows, double shear) {
+  const double half = std::sin(kPi / count);
+  const double radius = 0.5 / half;
+  const double turn = std::asin((1 + 2 * shear) * half) - kPi / count;
+  const double rise = std::sqrt(square(shear) + 1 - square(2 * radius * std::sin(turn / 2)));
+  Array<Vec3> positions;
+  Array<Triangle> faces;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i < count; ++i) {
+      const Vec2 place = radius * unitVector(2 * kPi * i / count + j * turn);
+      positions.emplace_back(place.x(), place.y(), j * rise);
+      if (j == rows) continue;
+      const int a = count * j + i;
+      const int b = count * j + (i + 1) % count;
+      faces.emplace_back(a, b, b + count);
+      faces.emplace_back(a, b + count, a + count);
+    }
+  }
+  return buildMesh(positions, faces);
+}
+
+TEST(SourceVectors, OnATubeAndAConeAreThoseOfShortestPaths) {
+  Surface tube(obliqueTube(20, 60, 0.3));
+  Surface cone(meshOf(flatCone(16, 4, 6).soup));
+  const uint64_t seed = 20261128;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (Surface* surface : {&tube, &cone}) {
+    for (int i = 0; i < 4; ++i) {
+      const SurfacePoint source = somewhere(surface->mesh(), random);
+      for (const Solver solver : {Solver::kExact, Solver::kFast}) {
+        expectVectorsOfShortestPaths(*surface, source, solver, 1e-9);
+      }
+    }
+  }
+}
+
 TEST(TangentMaps, AVectorInTheFrameOfAVertexGoesToSpaceAndBack) {
   const TriangleMesh mesh = meshOf(makeShape(Shape::kSphere, 500));
   const Geometry geometry = buildGeometry(mesh);
@@ -125,6 +256,39 @@ TEST(TangentMaps, MirrorHasPointsOfALinesEndsAndOfThePerpendicularsThere) {
         const ExpMapped image = mirrored(geometry, line, point, Vec2::Zero(), workspace);
         EXPECT_LT((position(mesh, image.point) - (end - far * across)).norm(), 1e-9);
       }
+    }
+  }
+}
+
+TEST(TangentMaps, MirrorInALineThatClosesOrOverlapsItself) {
+  const FlatCylinder tube = flatCylinder(20, 2, 3);
+  const TriangleMesh mesh = meshOf(tube.soup);
+  const Geometry geometry = buildGeometry(mesh);
+  FindPathWorkspace workspace;
+  const auto place = [&](double angle, double height) {
+    return nearestPoint(mesh, Vec3(std::cos(angle), std::sin(angle), height));
+  };
+  const uint64_t seed = 20261129;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (const double overlap : {0.0, 0.3}) {
+    SCOPED_TRACE("overlap " + std::to_string(overlap));
+    // The line begins and ends on lines of the prism's side, or in the midst of a side.
+    Array<SurfacePoint> stops;
+    for (int i = 0; i <= 20; ++i) stops.push_back(place(2 * kPi * i / 20, 1));
+    if (overlap > 0) stops.push_back(place(overlap, 1));
+    const SurfacePath line = chain(geometry, stops, false);
+    for (int i = 0; i < 40; ++i) {
+      // The first points are beside the ends.
+      const double angle = i < 20 ? random.uniform(-0.2, 0.5) : random.uniform(0, 2 * kPi);
+      const SurfacePoint point = place(angle, random.uniform(0.6, 1.4));
+      const Vec3 wanted = [&] {
+        Vec3 at = position(mesh, point);
+        at.z() = 2 - at.z();
+        return at;
+      }();
+      const ExpMapped image = mirrored(geometry, line, point, Vec2::Zero(), workspace);
+      EXPECT_LT((position(mesh, image.point) - wanted).norm(), 1e-9) << "angle " << angle;
     }
   }
 }
