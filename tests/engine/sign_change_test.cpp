@@ -14,10 +14,11 @@ constexpr double kUnitRounding = 1e-15;
 template <class Function>
 double changeOf(const Function& function, double from, double to, int& evaluations) {
   evaluations = 0;
-  return signChange(from, to, function(from), function(to), kUnitRounding * (from + to), [&](double x) {
-    ++evaluations;
-    return function(x);
-  });
+  return signChange(from, to, function(from), function(to), kUnitRounding * (from + to),
+                    [&](double x) {
+                      ++evaluations;
+                      return function(x);
+                    });
 }
 
 TEST(SignChange, IsTheZeroOfRisingAndFallingFunctions) {
