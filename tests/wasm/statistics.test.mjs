@@ -21,6 +21,39 @@ const near = (a, b, tolerance) =>
     a.every((x, i) => Math.abs(x - b[i]) < tolerance),
     `${a} is not ${b}`,
   );
+/** A cube with this side, from the origin, whose sides have `squares` squares in each row. */
+function cube(squares, side) {
+  const numbers = new Map();
+  const lines = [];
+  const vertexAt = (place) => {
+    const key = place.join(' ');
+    if (!numbers.has(key)) {
+      numbers.set(key, numbers.size + 1);
+      lines.push(`v ${place.map((x) => (x * side) / squares).join(' ')}`);
+    }
+    return numbers.get(key);
+  };
+  for (let wall = 0; wall < 6; wall++) {
+    const axis = wall % 3;
+    const isFar = wall >= 3;
+    for (let square = 0; square < squares * squares; square++) {
+      const [a, b, c, d] = [
+        [0, 0],
+        [1, 0],
+        [1, 1],
+        [0, 1],
+      ].map(([x, y]) => {
+        const place = [0, 0, 0];
+        place[axis] = isFar ? squares : 0;
+        place[(axis + (isFar ? 1 : 2)) % 3] = (square % squares) + x;
+        place[(axis + (isFar ? 2 : 1)) % 3] = Math.floor(square / squares) + y;
+        return vertexAt(place);
+      });
+      lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
+    }
+  }
+  return `${lines.join('\n')}\n`;
+}
 const minus = (a, b) => a.map((x, k) => x - b[k]);
 
 for (const [where, loadEngine] of Object.entries({
@@ -81,6 +114,32 @@ for (const [where, loadEngine] of Object.entries({
       // A search from another start finds it, too.
       const from = await median(mesh, await all(heavy), [1, 1, 1], { start: await at(1.3, 1.2) });
       near(from.position, (await median(mesh, await all(heavy))).position, 1e-3);
+    });
+
+    test('a search leaves a point whose weight is little less than the pull of the others', async () => {
+      const right = await all([
+        [1.3, 1.2],
+        [8.3, 1.2],
+        [1.3, 8.2],
+      ]);
+      const fermat = await median(mesh, right, undefined, { start: right[0] });
+      assert.ok(fermat.converged);
+      // On the axis of this right triangle with legs of 7, the median is 7 (1 - 1 / sqrt(3)) / 2
+      // from both legs.
+      const leg = (7 * (1 - 1 / Math.sqrt(3))) / 2;
+      near(fermat.position, [1.3 + leg, 1.2 + leg, 0], 1e-4);
+      assert.ok(Math.abs(fermat.value - (7 * (Math.SQRT2 + Math.sqrt(6))) / 2) < 1e-8);
+      // The center of mass, where this search starts, is the first point.
+      const places = [
+        [5, 5],
+        [8, 5],
+        [3.5, 6.5],
+        [3.5, 3.5],
+      ];
+      const light = await median(mesh, await all(places), [0.3, 1, 1, 1]);
+      assert.ok(light.converged);
+      // With x on the line y = 5: 2 (x - 3.5) / sqrt((x - 3.5)^2 + 1.5^2) = 1 + 0.3.
+      near(light.position, [3.5 + (1.5 * 0.65) / Math.sqrt(1 - 0.65 ** 2), 5, 0], 1e-4);
     });
 
     test('Huber’s mean has its closed form on a line, and is a mean for a large threshold', async () => {
@@ -172,6 +231,33 @@ for (const [where, loadEngine] of Object.entries({
     });
   });
 }
+
+test('at a corner of a cube the median moves along an edge', async () => {
+  const mesh = (await load()).meshFromObj(cube(12, 2));
+  const places = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
+  const points = places.map((place) => mesh.nearestPoint(place).point);
+  // At t along an edge the value is t w + (1 - t) + 2 sqrt(1 + t^2).
+  const t = 0.25 / Math.sqrt(1 - 0.25 ** 2);
+  const least = 1 - t / 2 + 2 * Math.sqrt(1 + t * t);
+  const corner = [{ vertex: 0 }, ...points.slice(1)];
+  near(mesh.position({ vertex: 0 }), [0, 0, 0], 1e-12);
+  for (const own of [points, corner]) {
+    for (const start of [own[0], own[1], undefined]) {
+      const { value, position } = await median(mesh, own, [0.5, 1, 1, 1], { start });
+      // Fields smooth the creases of the cube.
+      assert.ok(Math.abs(value - least) < 1e-3, `${value} is not ${least}`);
+      assert.ok(Math.abs(Math.hypot(...position) - t) < 0.03, `${position}`);
+      // The pull along an edge is 1 + 2 cos(90 degrees).
+      const heavy = await median(mesh, own, [1.01, 1, 1, 1], { start });
+      assert.ok(Math.abs(heavy.value - 3) < 1e-6, `${heavy.value}`);
+    }
+  }
+});
 
 test('on a torus derivatives equal difference quotients, and medians have no gradient', async (t) => {
   t.diagnostic(`seed ${seed}`);

@@ -6,6 +6,7 @@ import { checkArray, checkNumber, checkOptions, namesOf } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import type { AnyMesh } from './energy.js';
+import { stepFrom } from './median_step.js';
 
 export { KarcherError } from '../errors.js';
 export { type Centroid, type CentroidOptions, centroid } from './centroid.js';
@@ -70,7 +71,9 @@ const huberNames = namesOf<HuberOptions>({ ...options, threshold: true });
  * is 1 by default.
  *
  * The search finds the minimum near its start, as the search for a center of mass does. Each of its
- * steps takes one exact shortest path to each point. Rejects as `Mesh.centerOfMass` does, and with
+ * steps takes one exact shortest path to each point. A point that becomes the nearest is tested
+ * once. It is a local minimum if in no direction the other points pull more than the weight of all
+ * points at its place. Rejects as `Mesh.centerOfMass` does, and with
  * `KarcherError` badArgument for a weight that is not positive.
  */
 export function median(
@@ -147,23 +150,30 @@ async function search(
     distances = [];
     for (const to of points) distances.push(await lengthTo(point, to));
   };
-  const kinks = new Set<number>();
+  const valueHere = () => distances.reduce((sum, distance, i) => sum + own[i]! * cost(distance), 0);
+  const tried = new Set<number>();
   let steps = 0;
   let converged = false;
   await measure();
   for (; steps < mostSteps && !converged; steps++) {
     const nearest = distances.indexOf(Math.min(...distances));
-    if (isSharp && !kinks.has(nearest)) {
-      kinks.add(nearest);
-      if (await isMedian(mesh, points, own, nearest)) {
-        point = points[nearest]!;
+    if (isSharp && !tried.has(nearest)) {
+      // Near a point that is no median, the usual steps are as short as near a median. So the
+      // search goes to a place where the value is lower than at the point, and never comes back.
+      tried.add(nearest);
+      const before = { point, distances };
+      const value = valueHere();
+      const step = await stepFrom(mesh, points, own, nearest, least);
+      const from = points[nearest]!;
+      point = step ? (await mesh.expMap(from, step)).points[0]! : from;
+      await measure();
+      if (valueHere() <= value) {
+        if (step) continue;
         converged = true;
-        await measure();
         break;
       }
+      ({ point, distances } = before);
     }
-    // If the search is at one of the points, and this point is not the minimum, the pull of the
-    // other points leads the search away.
     const factors = own.map((weight, i) => weight * pull(Math.max(distances[i]!, least)));
     const before = point;
     point = (await centerOf(factors, before)).point;
@@ -174,32 +184,10 @@ async function search(
   return {
     point: 'face' in point ? { face: point.face, bary: [...point.bary] } : place.point,
     position: await mesh.position(point),
-    value: distances.reduce((sum, distance, i) => sum + own[i]! * cost(distance), 0),
+    value: valueHere(),
     steps,
     converged,
   };
-}
-
-/**
- * Whether one of the points is the median: the joint pull of all other points at this point is no
- * more than the weight of this point.
- */
-async function isMedian(
-  mesh: AnyMesh,
-  points: readonly PointLike[],
-  weights: readonly number[],
-  at: number,
-): Promise<boolean> {
-  const { vectors } = await mesh.logMap(points[at]!, points);
-  const sum = [0, 0, 0];
-  let held = 0;
-  points.forEach((_, i) => {
-    const vector = vectors.slice(3 * i, 3 * i + 3);
-    const length = Math.hypot(...vector);
-    if (length === 0) held += weights[i]!;
-    else for (let k = 0; k < 3; k++) sum[k]! += (weights[i]! * vector[k]!) / length;
-  });
-  return Math.hypot(...sum) <= held;
 }
 
 function checkWeights(weights: ArrayLike<number> | undefined, count: number): number[] {
