@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { load } from 'karcher';
+import { solidOf } from 'karcher/checkup';
 import { curvesOnPart, meshFile, pointsOnPart } from 'karcher/formats';
 import { randoms, seed } from '../web/part.mjs';
 import { printed, temporaryFolder } from './run_cli.mjs';
@@ -100,7 +101,8 @@ test('the pieces of a curve on the parts add up to the curve', () => {
   const mesh = engine.shape('torus', 1500);
   const surface = whole(mesh);
   const at = anyPoint(mesh);
-  const [cut, across] = [loop(mesh, at), mesh.shortestPath(at, anyPoint(mesh))];
+  const opposite = mesh.nearestPoint(placeOn(surface, at).map((x) => -x)).point;
+  const [cut, across] = [loop(mesh, at), mesh.shortestPath(at, opposite)];
   // The curve gets a point wherever it crosses the cut, so that its pieces end there.
   const parts = mesh.cut([cut]);
   const names = parts.map((part) => {
@@ -123,6 +125,29 @@ test('the pieces of a curve on the parts add up to the curve', () => {
     assert.equal(path.polyline({ bits: 64 }).length, 3 * path.count);
     assert.equal(path.closed, false);
   }
+  mesh.dispose();
+});
+
+test('a line between two points of a border lies on the part through which it runs', () => {
+  const surface = { positions: [0, 0, 0, 10, 0, 0, 0, 10, 0], triangles: [0, 1, 2] };
+  const mesh = engine.meshFromArrays(surface.positions, surface.triangles);
+  const at = (x, y) => ({ face: 0, bary: [1 - (x + y) / 10, x / 10, y / 10] });
+  // A rectangle with a notch.
+  const outline = [
+    ...[at(1, 1), at(4, 1), at(4, 2), at(2, 2), at(2, 3), at(4, 3)],
+    ...[at(4, 4), at(1, 4), at(1, 1)],
+  ];
+  const [inner, outer] = mesh.cut([outline]).sort((a, b) => solidOf(a).area - solidOf(b).area);
+  assert.ok(Math.abs(solidOf(inner).area - 7) < 1e-9);
+  const counts = (path) =>
+    [inner, outer].map((part) =>
+      curvesOnPart(part, surface, [{ path }]).map((piece) => piece.path.count),
+    );
+  const line = (from, to) => mesh.shortestPath(from, to);
+  assert.deepEqual(counts(line(at(4, 2), at(4, 3))), [[], [2]], 'across the notch');
+  assert.deepEqual(counts(line(at(4, 1), at(4, 2))), [[2], [2]], 'along the border');
+  assert.deepEqual(counts(line(at(2, 2), at(1, 4))), [[2], []], 'inside');
+  assert.deepEqual(counts(line(at(3, 1.5), at(3, 2.5))), [[], []], 'it crosses the border');
   mesh.dispose();
 });
 

@@ -20,6 +20,9 @@ const together = 2 ** -32;
 /** Coordinates in a face: the second and third weight. */
 type Flat = readonly [x: number, y: number];
 
+/** A place on a surface: the weights of vertices. */
+type Weights = ReadonlyMap<number, number>;
+
 /** A triangle of a part, in the coordinates of its face. */
 interface Piece {
   triangle: number;
@@ -43,12 +46,31 @@ export function pointsOnPart(
   surface: Surface,
   points: readonly SurfacePoint[],
 ): (SurfacePoint | null)[] {
-  const cornersOf = (face: number) => [0, 1, 2].map((k) => surface.triangles[3 * face + k]!);
+  const find = finderOn(part, surface);
+  return points.map((point) => find(weightsAt(surface, point)));
+}
+
+const cornersIn = (surface: Surface, face: number) =>
+  [0, 1, 2].map((k) => surface.triangles[3 * face + k]!);
+
+const weightsAt = (surface: Surface, { face, bary }: SurfacePoint): Weights =>
+  new Map(cornersIn(surface, face).map((corner, k) => [corner, bary[k]!]));
+
+/** The vertices on which a place depends. */
+const cornersAt = (weights: Weights): number[] =>
+  [...weights].filter(([, weight]) => weight > together).map(([corner]) => corner);
+
+/** A function that returns a place as a point of a part, or null if it lies elsewhere. */
+function finderOn(part: Part, surface: Surface): (weights: Weights) => SurfacePoint | null {
+  const cornersOf = (face: number) => cornersIn(surface, face);
   const trianglesOf = new Map<number, number[]>();
   part.faces.forEach((face, i) => {
     addTo(trianglesOf, face, i);
   });
-  const neighbors = facesAround([...trianglesOf.keys()], cornersOf);
+  const facesOf = new Map<number, number[]>();
+  for (const face of trianglesOf.keys()) {
+    for (const corner of cornersOf(face)) addTo(facesOf, corner, face);
+  }
   const piecesOf = new Map<number, Piece[]>();
   const piecesIn = (face: number): Piece[] => {
     const known = piecesOf.get(face);
@@ -65,41 +87,23 @@ export function pointsOnPart(
     piecesOf.set(face, pieces);
     return pieces;
   };
-  const found = (point: SurfacePoint, face: number): Found | null => {
-    const corners = cornersOf(point.face);
-    const weights = cornersOf(face).map((corner) => point.bary[corners.indexOf(corner)] ?? 0);
+  const found = (weights: Weights, face: number): Found | null => {
+    const [, x, y] = cornersOf(face).map((corner) => weights.get(corner) ?? 0);
     let best: Found | null = null;
     for (const piece of piecesIn(face)) {
-      const candidate = inPiece(piece, [weights[1]!, weights[2]!]);
+      const candidate = inPiece(piece, [x!, y!]);
       if (!best || candidate.outside < best.outside) best = candidate;
     }
     return best;
   };
-  return points.map((point) => {
-    const faces = [point.face, ...neighbors(point)];
-    for (const face of faces) {
-      const one = found(point, face);
+  return (weights) => {
+    const [first, ...more] = cornersAt(weights).map((corner) => facesOf.get(corner) ?? []);
+    for (const face of first!) {
+      if (!more.every((faces) => faces.includes(face))) continue;
+      const one = found(weights, face);
       if (one && one.outside <= together) return one.point;
     }
     return null;
-  });
-}
-
-/**
- * Returns a function for points on edges and at vertices. It returns the other faces of this list
- * that contain the point.
- */
-function facesAround(faces: readonly number[], cornersOf: (face: number) => number[]) {
-  let facesOf: Map<number, number[]> | null = null;
-  return ({ face, bary }: SurfacePoint): number[] => {
-    const corners = cornersOf(face).filter((_, k) => bary[k]! > together);
-    if (corners.length === 3) return [];
-    if (!facesOf) {
-      facesOf = new Map();
-      for (const one of faces) for (const corner of cornersOf(one)) addTo(facesOf, corner, one);
-    }
-    const [first, ...more] = corners.map((corner) => facesOf!.get(corner) ?? []);
-    return first!.filter((one) => one !== face && more.every((others) => others.includes(one)));
   };
 }
 
@@ -147,7 +151,9 @@ const at = (of: ArrayLike<number>, vertex: number): Place => [
 
 /**
  * The pieces of curves that lie on a part of a cut surface, for `meshFile`. A curve that leaves the
- * part and comes back has several pieces; each has the name and look of its curve.
+ * part and comes back has several pieces; each has the name and look of its curve. The pieces
+ * consist of whole segments of the curve's path: a segment that crosses the part's border belongs
+ * to no part.
  *
  * @example
  * ```ts
@@ -163,10 +169,20 @@ export function curvesOnPart(
   surface: Surface,
   curves: readonly FileCurve[],
 ): FileCurve[] {
+  const find = finderOn(part, surface);
   return curves.flatMap((curve) => {
     const { path, parameters } = curve;
-    const points = pointsOnPart(part, surface, path.points());
-    return runsOf(points).map(([first, end]): FileCurve => {
+    const places = path.points().map((point) => weightsAt(surface, point));
+    const points = places.map(find);
+    const isOn = points.map((point, i) => {
+      const next = points[i + 1];
+      if (!point || !next) return false;
+      if (point.face === next.face) return true;
+      const middle = middleOf(places[i]!, places[i + 1]!);
+      // The middle is unknown if the ends have no face in common.
+      return cornersAt(middle).length > 3 || find(middle) !== null;
+    });
+    return runsOf(isOn).map(([first, end]): FileCurve => {
       const cut = <Values extends ArrayLike<number>>(values: Values) =>
         Array.from(values).slice(first, end);
       return {
@@ -178,17 +194,24 @@ export function curvesOnPart(
   });
 }
 
+function middleOf(a: Weights, b: Weights): Weights {
+  const corners = [...a.keys(), ...b.keys()];
+  return new Map(
+    corners.map((corner) => [corner, (a.get(corner) ?? 0) / 2 + (b.get(corner) ?? 0) / 2]),
+  );
+}
+
 /**
- * The runs of at least two points that are not null. A run has its first index, and the index after
- * its last one.
+ * The runs of points that segments connect. `isOn` says of each point whether the segment to the
+ * next point belongs to a run. A run has its first index, and the index after its last one.
  */
-function runsOf(points: readonly (SurfacePoint | null)[]): [first: number, end: number][] {
+function runsOf(isOn: readonly boolean[]): [first: number, end: number][] {
   const runs: [number, number][] = [];
-  for (let first = 0; first < points.length; first++) {
-    let end = first;
-    while (end < points.length && points[end]) end++;
-    if (end > first + 1) runs.push([first, end]);
-    first = Math.max(first, end);
+  for (let first = 0; first < isOn.length; first++) {
+    let last = first;
+    while (isOn[last]) last++;
+    if (last > first) runs.push([first, last + 1]);
+    first = last;
   }
   return runs;
 }
