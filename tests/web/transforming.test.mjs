@@ -233,6 +233,23 @@ describe('the frame around the selection', () => {
       return Math.abs(box.left + box.width / 2 - x) < 2;
     }, from.x - 40);
     assert.equal(await bytesOf(tab), whole);
+    // On another surface, the pivot of the same object is in the middle again.
+    await tab.drop('coarse.obj', flatGrid(4));
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 32);
+    await tab.page.keyboard.press('b');
+    await tab.click([-60, 20], [-20, -20], [20, 30], [50, -10]);
+    await tab.page.locator('#tool-transform').click();
+    await frameShown(tab);
+    await tab.still();
+    const [pivot, ...corners] = await Promise.all(
+      ['Pivot of', ...['first', 'second', 'third', 'fourth'].map((one) => `selection, ${one}`)].map(
+        (name) => tab.handle(name),
+      ),
+    );
+    for (const axis of ['x', 'y']) {
+      const middle = corners.reduce((sum, corner) => sum + corner[axis] / 4, 0);
+      assert.ok(Math.abs(pivot[axis] - middle) < 2, `${pivot[axis]}, not ${middle}`);
+    }
     await tab.close();
   });
 

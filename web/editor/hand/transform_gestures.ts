@@ -90,8 +90,8 @@ export class TransformGestures {
   #shown: ShownFrame | null = null;
   /** The state for which the frame was computed. */
   #made: { drawing: Drawing; chosen: string; client: EngineClient } | null = null;
-  /** The user's own pivot. */
-  #pivot: { point: SurfacePoint; chosen: string } | null = null;
+  /** The user's own pivot, with the selection and the surface's engine for which it holds. */
+  #pivot: { point: SurfacePoint; chosen: string; client: EngineClient } | null = null;
   #held: Hold | null = null;
   /** The sum of the arrow keys' moves, until their release. */
   #keyed: {
@@ -193,6 +193,12 @@ export class TransformGestures {
     return movableObjects(drawing, chosen);
   }
 
+  /** Whether the user's own pivot is for the selection, on this surface. */
+  get #hasPivot(): boolean {
+    const { chosen } = this.editor.state;
+    return this.#pivot?.chosen === `${chosen}` && this.#pivot.client === this.session.client;
+  }
+
   #hide(): void {
     if (!this.#made) return;
     [this.#frame, this.#shown, this.#made] = [null, null, null];
@@ -217,7 +223,7 @@ export class TransformGestures {
     const { surface } = this.viewer;
     const made = this.#made;
     if (!client || !surface || !made) return;
-    const own = this.#pivot?.chosen === made.chosen ? this.#pivot.point : null;
+    const own = this.#hasPivot ? this.#pivot!.point : null;
     const { right } = this.viewer;
     const frame = await this.#extents()
       .then((around) => frameOf(client, surface, around, right, own))
@@ -321,7 +327,7 @@ export class TransformGestures {
     const { surface } = this.viewer;
     const frame = this.#held?.frame ?? this.#frame;
     if (!client || !surface || !frame) return;
-    this.#pivot = { point, chosen: `${this.editor.state.chosen}` };
+    this.#pivot = { point, chosen: `${this.editor.state.chosen}`, client };
     const moved = await Promise.all([
       this.#extents(),
       client.mesh.transport(frame.pivot, point, frame.right),
@@ -353,8 +359,9 @@ export class TransformGestures {
     const { client } = this.session;
     const { drawing, chosen } = editor.state;
     if (client) this.#made = { drawing, chosen: `${chosen}`, client };
-    const own = this.#pivot?.chosen === `${chosen}`;
-    if (own && this.#frame) this.#pivot = { point: this.#frame.pivot, chosen: `${chosen}` };
+    if (this.#hasPivot && this.#frame) {
+      this.#pivot = { ...this.#pivot!, point: this.#frame.pivot };
+    }
     editor.commitDrag();
     this.#draw();
   }
