@@ -125,6 +125,38 @@ describe('aligning', () => {
     await tab.close();
   });
 
+  test('anchors of the pen lie on the line themselves, whatever their handles', async () => {
+    const tab = await Tab.open(browser, 'mesh=plane:fair:400&kind=pen');
+    const { x, y } = await tab.middle();
+    for (const [dx, dy, right, down] of [
+      [-170, 60, 40, 30],
+      [-60, -70, 50, -20],
+      [50, 60, 20, 50],
+      [160, -40, 30, -40],
+    ]) {
+      await tab.drag({ x: x + dx, y: y + dy }, { x: x + dx + right, y: y + dy + down });
+    }
+    await tab.page.keyboard.press('v');
+    for (const index of [1, 2, 3]) {
+      const place = await tab.handle(`Anchor ${index} of 4`);
+      await tab.page.keyboard.down('Shift');
+      await tab.page.mouse.click(place.x, place.y);
+      await tab.page.keyboard.up('Shift');
+    }
+    const { drawing, more } = await tab.state();
+    assert.equal(more.length, 3);
+    await menu(tab, [-60, -70], 'Align on a line');
+    const [object] = (await changed(tab, drawing)).objects;
+    const all = await positions(tab, object.figure.points);
+    const was = await positions(tab, drawing.objects[0].figure.points);
+    for (const end of [0, 3]) assert.ok(lengthOf(minus(all[end], was[end])) < 1e-9);
+    for (const inner of [1, 2]) {
+      const { off } = onLine(all[inner], all[0], all[3]);
+      assert.ok(off < 1e-5, `${off}`);
+    }
+    await tab.close();
+  });
+
   test('a click with the eyedropper gives all selected objects the look of another one', async () => {
     const tab = await Tab.open(browser, 'mesh=plane:fair:400');
     await circles(tab, [-150, 90], [0, 0], [150, -80]);

@@ -103,11 +103,16 @@ export async function align(
   editor.perform(command);
 }
 
-/** The center of mass of a part's places. Of a circle or an ellipse only the center counts. */
+/**
+ * The center of mass of a part's places. Of a circle or an ellipse only the center counts, and of an
+ * anchor only its own place.
+ */
 async function middleOf(client: EngineClient, part: Part): Promise<SurfacePoint> {
-  const places = part.flatMap(({ figure }) =>
-    figure.circle ? [figure.circle.center] : placesOf({ ...figure, circle: null }),
-  );
+  const places = part.flatMap(({ figure }) => {
+    const { kind, circle, points } = figure;
+    if (isRound(kind) && circle) return [circle.center];
+    return points.length === 1 ? points : placesOf({ ...figure, circle: null });
+  });
   if (places.length === 1) return plain(places[0]!);
   const { point } = await client.mesh.centerOfMass(
     places.map(plain),
