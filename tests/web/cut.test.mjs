@@ -85,6 +85,38 @@ describe('cuts', () => {
     await tab.close();
   });
 
+  test('a mirrored cut lacks the mirrored part', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:3000&kind=circle');
+    const { page } = tab;
+    const { x, y } = await tab.middle();
+    await tab.drag({ x: x - 90, y }, { x: x - 40, y });
+    await maker(tab, 'Cut').click();
+    await tab.settled();
+    await button(tab, 'Delete Part 2').click();
+    await tab.settled();
+    const [, cap] = await parts(tab);
+    const states = async () => (await parts(tab)).map(({ state }) => state);
+    assert.deepEqual(await states(), ['kept', 'deleted']);
+    const before = JSON.stringify((await tab.state()).drawing);
+    const { revision } = await tab.state();
+    await page.locator('#mirror').click();
+    await page.locator('#mirror-copies').setChecked(false);
+    await page.mouse.click(x, y - 100);
+    await page.getByText('second point').waitFor();
+    await page.mouse.click(x, y + 100);
+    await page.waitForFunction((from) => window.karcherPage.state().revision > from, revision);
+    await tab.settled();
+    assert.deepEqual(await states(), ['kept', 'deleted']);
+    near((await parts(tab))[1].area, cap.area, 0.02, 'the mirrored cap');
+    const { objects } = (await tab.state()).drawing;
+    const was = JSON.parse(before).objects[0].figure.circle.center;
+    assert.notDeepEqual(objects[0].figure.circle.center, was);
+    await page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), before);
+    await tab.close();
+  });
+
   test('of hidden parts no triangles are seen', async (t) => {
     const drawn = await openBrowser({ viewport: { width: 1280, height: 800 }, asUsers: true });
     t.after(() => drawn.close());

@@ -1,7 +1,15 @@
 /** Mirror images of objects in the geodesic through two points. */
 import type { SurfacePoint } from 'karcher';
-import type { Drawing, DrawnObject } from '../../model/drawing';
-import { type Figure, isRound, opposite, plain, type Vector, withInside } from '../../model/figure';
+import { type Drawing, type DrawnObject, newObject, objectOf } from '../../model/drawing';
+import {
+  emptyFigure,
+  type Figure,
+  isRound,
+  opposite,
+  plain,
+  type Vector,
+  withInside,
+} from '../../model/figure';
 import { carriedOf, movedFigures } from '../../model/moving';
 import { areLoops, resolvedFigure } from '../../model/sources';
 import { type EngineClient, KarcherError } from '../../worker/client';
@@ -93,13 +101,36 @@ export function mirroredInside(figure: Figure): Figure {
   return inside && !isRound(kind) ? withInside(figure, opposite(inside)) : figure;
 }
 
+/** The figures of objects in a mirror; null if a figure would leave the surface. */
+export type ImagesOf = (
+  objects: readonly DrawnObject[],
+) => Promise<Figure[] | null> | Figure[] | null;
+
 /**
- * The mirror image of a derived figure: the offset of an open line moves to the line's other side.
+ * The mirror image of a derived figure. The offset of an open line moves to the line's other side,
+ * and the choices for parts of a cut move to the mirrored parts.
  */
-export function mirroredDerived(drawing: Drawing, object: DrawnObject): Figure {
+export async function mirroredDerived(
+  drawing: Drawing,
+  object: DrawnObject,
+  imagesOf: ImagesOf,
+): Promise<Figure> {
   const { figure } = object;
   const { derived } = figure;
-  const { offset } = derived ?? {};
+  const { offset, parts, sources = [] } = derived ?? {};
+  // Locked sources stay, and so do the parts.
+  if (parts && !sources.some((id) => objectOf(drawing, id)?.locked)) {
+    const mirrored = parts.map(async (part) => {
+      const point = newObject(object.id, { ...emptyFigure, points: [part.point] });
+      // The point of a large part may have no image on the surface. It stays, since such a part
+      // mostly contains it still.
+      const images = await Promise.resolve([point])
+        .then(imagesOf)
+        .catch(() => null);
+      return { ...part, point: plain(images?.[0]?.points[0] ?? part.point) };
+    });
+    return { ...figure, derived: { ...derived!, parts: await Promise.all(mirrored) } };
+  }
   const { operands = [] } = resolvedFigure(drawing, object);
   if (!derived || !offset || offset.side === 'both' || areLoops(operands)) return figure;
   const side = offset.side === 'inwards' ? 'outwards' : 'inwards';

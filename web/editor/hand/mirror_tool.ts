@@ -1,12 +1,16 @@
 import type { SurfacePoint } from 'karcher';
-import type { DrawnObject } from '../../model/drawing';
-import type { Figure } from '../../model/figure';
 import { type Plane, planeThrough, type Symmetry } from '../../model/symmetry';
 import { dotAt } from '../../viewer/object_lines';
 import { sectionOf } from '../../viewer/section';
 import type { Surface } from '../../viewer/surface';
 import type { Viewer } from '../../viewer/viewer';
-import { copiesOf, mirroredAcross, mirroredDerived, mirrorLine } from '../engine/mirroring';
+import {
+  copiesOf,
+  type ImagesOf,
+  mirroredAcross,
+  mirroredDerived,
+  mirrorLine,
+} from '../engine/mirroring';
 import { copiedObjects, keptFigures, movableObjects, replacing } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import { figuresInPlane, planeOfSymmetry } from '../engine/plane_mirror';
@@ -144,9 +148,7 @@ export class MirrorTool {
     }
   }
 
-  async #mirror(
-    imagesOf: (objects: readonly DrawnObject[]) => Promise<Figure[] | null> | Figure[] | null,
-  ): Promise<void> {
+  async #mirror(imagesOf: ImagesOf): Promise<void> {
     const { editor, session } = this;
     const { client } = session;
     const { drawing, chosen } = editor.state;
@@ -163,9 +165,13 @@ export class MirrorTool {
       else if (editor.state.drawing !== drawing) return;
       else {
         const all = copiedObjects(drawing, ids);
-        const images = all.map(
-          (object) => figures[objects.indexOf(object)] ?? mirroredDerived(drawing, object),
+        const images = await Promise.all(
+          all.map(
+            (object) =>
+              figures[objects.indexOf(object)] ?? mirroredDerived(drawing, object, imagesOf),
+          ),
         );
+        if (editor.state.drawing !== drawing) return;
         const own = all.map(({ id }) => id);
         if (this.copies) editor.objects.add(copiesOf(all, images), own);
         else editor.perform(replacing(all, images));
