@@ -360,8 +360,8 @@ export class Mesh extends MeshPlaces {
    * cost of one field of distances. With `{ radius }` in place of points, it has only the vectors
    * of vertices within the radius. The lengths are those of the solver `fast`'s paths. The
    * directions are interpolated between neighbors. They are exact on surfaces that unroll into a
-   * plane, and elsewhere some thousandths of a radian off. Vectors are NaN at dropped and
-   * unreachable vertices, and beyond the radius.
+   * plane, except near places with three shortest paths, and elsewhere some thousandths of a radian
+   * off. Vectors are NaN at dropped and unreachable vertices, and beyond the radius.
    *
    * Throws `KarcherError` unreachable if no path exists, and badArgument unless there is one
    * direction for each point.

@@ -188,13 +188,13 @@ TriangleMesh obliqueTube(int count, int rows, double shear) {
 }
 
 TEST(SourceVectors, OnATubeAndAConeAreThoseOfShortestPaths) {
-  Surface tube(obliqueTube(20, 60, 0.3));
+  Surface tube(obliqueTube(20, 24, 0.3));
   Surface cone(meshOf(flatCone(16, 4, 6).soup));
   const uint64_t seed = 20261128;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
   for (Surface* surface : {&tube, &cone}) {
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 2; ++i) {
       const SurfacePoint source = somewhere(surface->mesh(), random);
       for (const Solver solver : {Solver::kExact, Solver::kFast}) {
         expectVectorsOfShortestPaths(*surface, source, solver, 1e-9);
