@@ -10,7 +10,9 @@ void SourceVectors::setSource(const SurfacePoint& source) {
   vectors_.resize(count);
   states_.assign(count, State::kUnknown);
   const PointLocation location = locate(mesh, source);
-  if (location.simplex == Simplex::kVertex) {
+  const bool isVertex = location.simplex == Simplex::kVertex;
+  angleScale_ = isVertex ? geometry_.angleScale[location.vertex] : 1;
+  if (isVertex) {
     know(location.vertex, Vec2::Zero());
     for (const int h : outgoingHalfedges(mesh, location.vertex)) {
       know(mesh.head(h), geometry_.edgeLength[h] * directionOfEdge(geometry_, h).tail);
@@ -68,8 +70,11 @@ bool SourceVectors::ask(DistanceSolver& solver, int vertex) {
     const Vec2 apex = cornerInFace(geometry_, faceOf(h), cornerOf(previous(h)));
     const Vec2 source = apex + distance * (tail + step.part * edge - apex).normalized();
     // Turns of the directions from the source, from the ends to the vertex.
-    asked.fromTail = rotateBack(tail - source, apex - source);
-    asked.fromHead = rotateBack(tail + edge - source, apex - source);
+    const auto turnFrom = [&](const Vec2& end) {
+      return unitVector(angleScale_ * angleOf(rotateBack(end - source, apex - source)));
+    };
+    asked.fromTail = turnFrom(tail);
+    asked.fromHead = turnFrom(tail + edge);
     const auto seesSource = [&](int side) {
       const double length = solver.growTo(geometry_.mesh->tail(side));
       const Vec2 toSource = solver.logVector(geometry_.mesh->tail(side)) / -2;
@@ -79,8 +84,12 @@ bool SourceVectors::ask(DistanceSolver& solver, int vertex) {
     };
     const bool byTail = seesSource(h);
     const bool byHead = seesSource(next(h));
-    if (byTail && !byHead) asked.head = -1;
-    if (byHead && !byTail) asked.tail = -1;
+    // In the tangent plane of a vertex, whose angles are scaled, interpolation is not exact.
+    if (byTail && (!byHead || angleScale_ != 1)) {
+      asked.head = -1;
+    } else if (byHead && !byTail) {
+      asked.tail = -1;
+    }
   }
   asked_.push_back(asked);
   return true;

@@ -52,6 +52,7 @@ class SourceVectors {
   void take(const Asked& asked, double distance);
 
   const Geometry& geometry_;
+  double angleScale_ = 1;  ///< the scale of angles in the source's tangent plane
   Array<Vec2> vectors_;
   Array<State> states_;
   Array<Asked> asked_;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "distance/shortest_path.h"
 #include "distance/source_vectors.h"
 #include "generators/flat.h"
@@ -9,6 +11,7 @@
 #include "generators/region_drawings.h"
 #include "mesh/error.h"
 #include "mesh/shapes.h"
+#include "mesh/split_triangles.h"
 #include "rcm/field_options.h"
 #include "support.h"
 
@@ -200,6 +203,16 @@ TEST(SourceVectors, OnATubeAndAConeAreThoseOfShortestPaths) {
         expectVectorsOfShortestPaths(*surface, source, solver, 1e-9);
       }
     }
+  }
+}
+
+TEST(SourceVectors, AtAVertexAreThoseOfShortestPaths) {
+  Surface cone(meshOf(splitTriangles(meshOf(flatCone(5, 4, 6).soup), 4)));
+  const Array<double>& scale = cone.geometry().angleScale;
+  const int tip = static_cast<int>(std::max_element(scale.begin(), scale.end()) - scale.begin());
+  EXPECT_GT(scale[tip], 1.1);
+  for (const Solver solver : {Solver::kExact, Solver::kFast}) {
+    expectVectorsOfShortestPaths(cone, vertexPoint(cone.mesh(), tip), solver, 1e-9);
   }
 }
 
