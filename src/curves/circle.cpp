@@ -347,6 +347,12 @@ int samplesOfArcs(const Array<double>& directions, int samples) {
   return std::max(std::min(kFewestSamples, samples), static_cast<int>(std::ceil(part * samples)));
 }
 
+[[noreturn]] void throwTooFew(int count, const Center& from, const std::string& reason) {
+  throw Error(ErrorCode::kBadArgument,
+              std::to_string(count) + " arcs are too few around a center of " +
+                  inSentence(from.totalAngle() / (2 * kPi)) + " full turns: " + reason);
+}
+
 }  // namespace
 
 GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
@@ -363,10 +369,7 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
       std::max(kFirstArcs, static_cast<int>(std::ceil(kFirstArcs * turn / (2 * kPi))));
   const int count = options.arcs.value_or(std::min(fitting, kMostFittingArcs));
   if (count < fewest || !(turn / (2 * count) < kPi / 2)) {
-    throw Error(ErrorCode::kBadArgument,
-                std::to_string(count) + " arcs are too few around a center of " +
-                    inSentence(turn / (2 * kPi)) + " full turns: the fewest are " +
-                    std::to_string(fewest));
+    throwTooFew(count, from, "the fewest are " + std::to_string(fewest));
   }
   Array<double> directions;
   for (int j = 0; j <= count; ++j) directions.push_back(j * turn / count);
@@ -417,6 +420,10 @@ GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double
   }
   Array<Arc> arcs;
   for (int j = 0; j < count; ++j) {
+    const double end = j + 1 < count ? points[2 * j + 2].direction : begin + from.totalAngle();
+    if (!(end - points[2 * j].direction < kPi)) {
+      throwTooFew(count, from, "one would be wider than half a turn");
+    }
     arcs.push_back({points[2 * j], points[2 * j + 1], std::cos(halfAngle)});
   }
   return traceArcs(surface, center, std::max(along, across), arcs, options);
