@@ -95,14 +95,14 @@ TEST(Statistics, AtACubesCornerTheMedianMovesAlongAnEdge) {
     if (isNew) cube.positions.push_back(Vec3(at[0], at[1], at[2]) * (2.0 / kSquares));
     return known->second;
   };
-  for (int axis = 0; axis < 3; ++axis) {
+  for (size_t axis = 0; axis < 3; ++axis) {
     for (const bool isFar : {false, true}) {
       for (int square = 0; square < kSquares * kSquares; ++square) {
         const auto corner = [&](int x, int y) {
           std::array<int, 3> at{};
           at[axis] = isFar ? kSquares : 0;
-          at[(axis + (isFar ? 1 : 2)) % 3] = square % kSquares + x;
-          at[(axis + (isFar ? 2 : 1)) % 3] = square / kSquares + y;
+          at[(axis + (isFar ? 1U : 2U)) % 3] = square % kSquares + x;
+          at[(axis + (isFar ? 2U : 1U)) % 3] = square / kSquares + y;
           return vertexAt(at);
         };
         cube.triangles.push_back({corner(0, 0), corner(1, 0), corner(1, 1)});
