@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { setTimeout as pause } from 'node:timers/promises';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { load } from 'karcher';
@@ -224,6 +225,8 @@ test('the side that calls a worker keeps nothing of meshes that are disposed of'
   await round();
   const early = used();
   for (let i = 0; i < 10; i++) await round();
-  const late = used();
-  assert.ok(late - early < 2 * text.length, `${(late - early) / text.length} files are kept`);
+  const kept = () => (used() - early) / text.length;
+  // The collector frees buffers in a thread of its own.
+  for (let turn = 0; turn < 200 && kept() >= 2; turn++) await pause(50);
+  assert.ok(kept() < 2, `${kept()} files are kept`);
 });
