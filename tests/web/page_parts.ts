@@ -4,7 +4,7 @@ export { Bend } from '../../web/editor/engine/bend';
 export { curveValueOf } from '../../web/editor/engine/compute';
 export { CurveEdits } from '../../web/editor/engine/curve_edits';
 export { Expansion } from '../../web/editor/engine/expansion';
-export { mirroredFigures, mirrorLine } from '../../web/editor/engine/mirroring';
+export { mirroredDerived, mirroredFigures, mirrorLine } from '../../web/editor/engine/mirroring';
 export { Move } from '../../web/editor/engine/moving';
 export { Session } from '../../web/editor/engine/session';
 export { Editor } from '../../web/editor/state/editor';

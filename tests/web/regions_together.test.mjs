@@ -1,8 +1,9 @@
 // Groups and mirror images of booleans, offsets and filled lines: results follow their operands, and
 // undo restores the same bytes.
 import assert from 'node:assert/strict';
-import { describe, test } from 'node:test';
+import { before, describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
+import { arraysOfShape, openPage } from './engine_in_node.mjs';
 import { fitsFile } from './schema.mjs';
 
 describe('regions moved together and mirrored', () => {
@@ -230,5 +231,90 @@ describe('regions moved together and mirrored', () => {
     await inSteps(tab, 3, 'Control+z');
     assert.equal(await bytesOf(tab), whole);
     await tab.close();
+  });
+});
+
+describe('the mirror image of an offset of loops around a tube', () => {
+  let page;
+  let arrays;
+  before(async () => {
+    arrays = await arraysOfShape('torus', 5000);
+    page = await openPage(arrays);
+  });
+
+  /** The torus's vertex nearest to the place with an angle about the axis and one around the tube. */
+  function vertexAt(about, around) {
+    const { positions, triangles } = arrays;
+    const out = 1 + 0.4 * Math.cos(around);
+    const place = [out * Math.cos(about), out * Math.sin(about), 0.4 * Math.sin(around)];
+    const far = (corner) =>
+      Math.hypot(...place.map((value, axis) => value - positions[3 * triangles[corner] + axis]));
+    let best = 0;
+    for (let corner = 1; corner < triangles.length; corner++) {
+      if (far(corner) < far(best)) best = corner;
+    }
+    const bary = [0, 1, 2].map((i) => (i === best % 3 ? 1 : 0));
+    return { face: Math.floor(best / 3), bary };
+  }
+  const loopAt = (about) => ({
+    ...page.emptyDrawing.objects[0].figure,
+    kind: 'polyline',
+    points: [0, 1, 2, 3].map((i) => vertexAt(about, (i * Math.PI) / 2)),
+    settings: { ...page.emptyDrawing.objects[0].figure.settings, closed: true },
+  });
+  const drawn = (id, figure, more = {}) => ({
+    ...page.emptyDrawing.objects[0],
+    ...{ id, name: `${id}`, figure, ...more },
+  });
+  const offset = (of, distance) => ({
+    ...page.emptyDrawing.objects[0].figure,
+    kind: 'offset',
+    derived: { sources: [of], offset: { distance, side: 'outwards' } },
+  });
+  const drawingOf = (...objects) => ({ ...page.emptyDrawing, objects, active: objects[0].id });
+  let opened = 0;
+  /** The angle about the axis of the middle of an object's lines. */
+  async function angleOf(drawing, id) {
+    // Surfaces keep their drawings, by their keys.
+    page.editor.open(`arrays ${opened++}`, drawing);
+    await page.settled();
+    const [{ paths }] = await page.session.linesOf([id]);
+    const sum = [0, 0];
+    for (const path of paths) {
+      path.polyline().forEach((value, i) => {
+        if (i % 3 < 2) sum[i % 3] += value;
+      });
+    }
+    return Math.atan2(sum[1], sum[0]);
+  }
+
+  test('lies on the other side of the mirrored loop, also if it is an offset of an offset', async () => {
+    const drawing = drawingOf(
+      drawn(1, loopAt(0.5)),
+      drawn(2, offset(1, 0.3)),
+      drawn(3, offset(2, 0.2)),
+    );
+    const before = [await angleOf(drawing, 2), await angleOf(drawing, 3)];
+    const images = await Promise.all(
+      drawing.objects.slice(1).map((one) => page.mirroredDerived(page.session, drawing, one)),
+    );
+    const mirrored = drawingOf(
+      drawn(1, loopAt(-0.5)),
+      ...images.map((figure, i) => drawn(2 + i, figure)),
+    );
+    for (const [i, angle] of before.entries()) {
+      // The loop, at 0.5, is 0.2 or more away from its offsets.
+      assert.ok(Math.abs(angle - 0.5) > 0.15, `${angle}`);
+      const image = await angleOf(mirrored, 2 + i);
+      assert.ok(Math.abs(image + angle) < 0.03, `object ${2 + i}: ${image}, not ${-angle}`);
+    }
+  });
+
+  test('stays on its side if the line is locked, so that it stays too', async () => {
+    const line = loopAt(0.5);
+    const open = { ...line, settings: { ...line.settings, closed: false } };
+    const drawing = drawingOf(drawn(1, open, { locked: true }), drawn(2, offset(1, 0.3)));
+    const [, own] = drawing.objects;
+    assert.equal(await page.mirroredDerived(page.session, drawing, own), own.figure);
   });
 });

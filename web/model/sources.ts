@@ -59,6 +59,10 @@ export const areLoops = (operands: readonly Operand[]): boolean =>
 export const enclosedBy = (figure: Figure): Enclosing =>
   isDerived(figure.kind) && isLoop(figure) ? { inside: 'left' } : enclosingOf(figure);
 
+/** The side and the rule by which the lines of several figures together enclose a region. */
+export const enclosedTogether = (operands: readonly Operand[]): Enclosing =>
+  operands.length === 1 ? enclosedBy(operands[0]!.figure) : {};
+
 /** The ids of these objects and of all their sources, to any depth, without missing objects. */
 export function withSources(drawing: Drawing, ids: readonly number[]): number[] {
   const all = new Set(ids);

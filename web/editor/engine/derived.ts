@@ -2,7 +2,7 @@
 import type { Path } from 'karcher';
 import { isBoolean } from '../../model/derived';
 import type { Figure, Operand } from '../../model/figure';
-import { enclosedBy } from '../../model/sources';
+import { enclosedBy, enclosedTogether } from '../../model/sources';
 import type { EngineClient, OutlinedShape } from '../../worker/client';
 import type { ShownIsolines } from './circle_drawing';
 
@@ -35,7 +35,7 @@ export async function drawDerived(
     ? await client.combined(shapes, kind, fill)
     : await client.offset(
         shapes.flatMap(({ outlines }) => outlines),
-        { ...derived!.offset!, ...(operands.length === 1 && enclosedBy(operands[0]!.figure)) },
+        { ...derived!.offset!, ...enclosedTogether(operands) },
         fill,
       );
   if (lines.lines.length === 0) {

@@ -11,10 +11,11 @@ import {
   withInside,
 } from '../../model/figure';
 import { carriedOf, movedFigures } from '../../model/moving';
-import { areLoops, resolvedFigure } from '../../model/sources';
+import { enclosedTogether, resolvedFigure, withSources } from '../../model/sources';
 import { type EngineClient, KarcherError } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 import { directionsOf } from './moving';
+import type { Session } from './session';
 
 /**
  * The length by which the geodesic extends beyond each of the two points, in diagonals of the
@@ -107,19 +108,21 @@ export type ImagesOf = (
 ) => Promise<Figure[] | null> | Figure[] | null;
 
 /**
- * The mirror image of a derived figure. The offset of an open line moves to the line's other side,
- * and the choices for parts of a cut move to the mirrored parts.
+ * The mirror image of a derived figure. The offset of lines that bound no region moves to their
+ * other side, and the choices for parts of a cut move to the mirrored parts.
  */
 export async function mirroredDerived(
+  session: Pick<Session, 'client' | 'linesOf'>,
   drawing: Drawing,
   object: DrawnObject,
   imagesOf: ImagesOf,
 ): Promise<Figure> {
   const { figure } = object;
   const { derived } = figure;
-  const { offset, parts, sources = [] } = derived ?? {};
-  // Locked sources stay, and so do the parts.
-  if (parts && !sources.some((id) => objectOf(drawing, id)?.locked)) {
+  const { offset, parts } = derived ?? {};
+  // Locked sources stay, and so do the parts and the side of the offset.
+  if (withSources(drawing, [object.id]).some((id) => objectOf(drawing, id)!.locked)) return figure;
+  if (parts) {
     const mirrored = parts.map(async (part) => {
       const point = newObject(object.id, { ...emptyFigure, points: [part.point] });
       // The point of a large part may have no image on the surface. It stays, since such a part
@@ -131,10 +134,31 @@ export async function mirroredDerived(
     });
     return { ...figure, derived: { ...derived!, parts: await Promise.all(mirrored) } };
   }
-  const { operands = [] } = resolvedFigure(drawing, object);
-  if (!derived || !offset || offset.side === 'both' || areLoops(operands)) return figure;
+  if (!derived || !offset || offset.side === 'both') return figure;
+  if (await boundRegion(session, resolvedFigure(drawing, object))) return figure;
   const side = offset.side === 'inwards' ? 'outwards' : 'inwards';
   return { ...figure, derived: { ...derived, offset: { ...offset, side } } };
+}
+
+/**
+ * Whether the lines of an offset's sources bound a region, which then determines the offset's
+ * sides. A loop around a handle of the surface bounds none.
+ */
+async function boundRegion(
+  session: Pick<Session, 'client' | 'linesOf'>,
+  { operands = [] }: Figure,
+): Promise<boolean> {
+  const lines = await session.linesOf(operands.map(({ id }) => id));
+  const outlines = lines.flatMap(({ paths }) => paths);
+  if (!outlines.every(({ closed }) => closed)) return false;
+  const { rule, ...sided } = enclosedTogether(operands);
+  try {
+    await session.client!.mesh.regions([{ outlines, ...sided }], rule && { rule });
+    return true;
+  } catch (error) {
+    if (error instanceof KarcherError) return false;
+    throw error;
+  }
 }
 
 function reversed(polyline: Float64Array): Float64Array {

@@ -168,7 +168,8 @@ export class MirrorTool {
         const images = await Promise.all(
           all.map(
             (object) =>
-              figures[objects.indexOf(object)] ?? mirroredDerived(drawing, object, imagesOf),
+              figures[objects.indexOf(object)] ??
+              mirroredDerived(session, drawing, object, imagesOf),
           ),
         );
         if (editor.state.drawing !== drawing) return;
