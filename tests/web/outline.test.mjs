@@ -137,6 +137,13 @@ describe('the outline', () => {
     const { sight } = sightFrom([0.2, 0.1, 5]);
     const away = Float32Array.from([0, 0, 6, 0, 1, 7]);
     assert.deepEqual(parts.visibleParts(away, treeOf(square), sight, 0), []);
+    const passing = Float32Array.from([0.7, 0.1, 4, 0.7, 0.1, 6]);
+    const seen = parts.visibleParts(passing, treeOf(square), sight, 0);
+    assert.ok(total(seen) > 0.9);
+    for (const [x, y, z] of seen.flatMap((part) => placesOf(part))) {
+      // The camera looks at the origin from (0.2, 0.1, 5).
+      assert.ok(0.2 * (0.2 - x) + 0.1 * (0.1 - y) + 5 * (5 - z) > 0, `${[x, y, z]}`);
+    }
   });
 });
 

@@ -30,7 +30,9 @@ const lidded = (edge) => ({
 describe('on the stage', () => {
   let modules;
   before(async () => {
-    modules = { ...(await load('viewer/lines_at.ts')), ...(await load('viewer/vantage.ts')) };
+    const files = ['lines_at', 'vantage', 'regions', 'hidden_lines'];
+    const loaded = await Promise.all(files.map((file) => load(`viewer/${file}.ts`)));
+    modules = Object.assign({}, ...loaded);
   });
   const viewOf = (surface, away) => {
     const camera = new PerspectiveCamera(30, size.width / size.height, 0.01, 100);
@@ -92,6 +94,54 @@ describe('on the stage', () => {
       }
     }
     assert.ok(crossed > 20, `${crossed} places where the back is nearer`);
+  });
+
+  /** Open space, for lines and triangles that nothing hides. */
+  const open = { frame: { scale: 1 }, depth: () => Infinity, toScene: (line) => line };
+  const near = 0.01;
+
+  test('the parts of a line in front of the camera end at its near plane, and are seen where they are', () => {
+    // The camera is at the origin and looks down the z axis.
+    const vantage = viewOf(open, 0);
+    // The line starts behind the camera, and passes it at x = 1 and at x = 2.
+    const places = [1, 1, 2, 2].map((x, i) => [x, 0.5, [1, -3, -3, 1][i]]);
+    const [part, ...more] = [...vantage.seenParts(Float32Array.from(places.flat()))];
+    assert.deepEqual(more, []);
+    assert.equal(part.first, 0);
+    assert.deepEqual(part.hidden, [false, false, false, false]);
+    const cut = [1, 2].map((x) => [x, 0.5, -near]);
+    const scale = size.height / 2 / Math.tan(Math.PI / 12);
+    for (const [i, [x, y, z]] of [cut[0], places[1], places[2], cut[1]].entries()) {
+      const wanted = [size.width / 2 - (scale * x) / z, size.height / 2 + (scale * y) / z];
+      // Places have 24 bits.
+      const most = 1e-5 * Math.hypot(...wanted);
+      assert.ok(Math.abs(part.x[i] - wanted[0]) < most, `${part.x[i]}, not ${wanted[0]}`);
+      assert.ok(Math.abs(part.y[i] - wanted[1]) < most, `${part.y[i]}, not ${wanted[1]}`);
+    }
+    const back = places.map(([x, y, z]) => [x, y, -z]);
+    const two = [...vantage.seenParts(Float32Array.from(back.flat()))];
+    assert.deepEqual(
+      two.map(({ first, x }) => [first, x.length]),
+      [
+        [0, 2],
+        [2, 2],
+      ],
+    );
+    const behind = places.map(([x, y, z]) => [x, y, z + 4]);
+    assert.deepEqual([...vantage.seenParts(Float32Array.from(behind.flat()))], []);
+  });
+
+  test('a painted triangle that passes the camera is painted in front of it only', () => {
+    const vantage = viewOf(open, 0);
+    // The half plane below the camera, y = -1, appears in the lower half of the stage.
+    const corners = [-5, -1, -20, 5, -1, -20, 0, -1, 30];
+    const seen = modules.seenTriangles(corners, vantage, null);
+    assert.equal(seen.length, 12, 'the part in front has four corners');
+    for (let i = 0; i < seen.length; i += 2) {
+      assert.ok(seen[i + 1] > size.height / 2, `${seen.slice(i, i + 2)}`);
+    }
+    const behind = corners.map((value, i) => (i % 3 === 2 ? value + 21 : value));
+    assert.equal(modules.seenTriangles(behind, vantage, null).length, 0);
   });
 
   test('a box selects a line of which it holds a visible part, and no vertex', () => {

@@ -14,12 +14,12 @@ import {
 } from '../export/svg';
 import { type DrawnObject, defaultStyle, isBlank, type LineStyle } from '../model/drawing';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
-import { isEmpty, isRound } from '../model/figure';
+import { isEmpty, isRound, type Vector } from '../model/figure';
 import { gathered } from '../model/gathered';
 import { madeSource, meshLabel } from '../model/meshes';
 import { originsText } from '../model/origins';
 import type { ViewerColors } from '../viewer/colors';
-import type { Vantage } from '../viewer/vantage';
+import type { SeenLine, Vantage } from '../viewer/vantage';
 import type { Viewer } from '../viewer/viewer';
 import { download } from './download';
 import { byId, formatBytes } from './elements';
@@ -275,25 +275,29 @@ export class SaveMenu {
     const { kind, points, circle } = this.editor.state.figure;
     const own = isRound(kind) ? (circle ? [circle.center] : []) : points;
     const handles = isOpen && ownToo ? own : [];
-    const dot = (point: SurfacePoint, color: string) => ({
+    const dot = (point: SurfacePoint, color: string, filled = false) => ({
       ...vantage.project(viewer.surface!.position(point)),
-      color,
+      ...{ color, filled },
     });
-    const { x, y } = vantage.seen(Float32Array.from(ownToo ? this.#marks : []));
-    const marks = x.map((at, i) => ({ x: at, y: y[i]!, color: colors.marks, filled: true }));
-    const dots = [...marks, ...handles.map((point) => dot(point, colors.curve))];
+    const marks = ownToo ? this.#marks : [];
+    const dots = Array.from({ length: marks.length / 3 }, (_, i) => {
+      const place: Vector = [marks[3 * i]!, marks[3 * i + 1]!, marks[3 * i + 2]!];
+      const mark = viewer.surface!.inScene(place);
+      return { ...vantage.project(mark), color: colors.marks, filled: true };
+    });
+    dots.push(...handles.map((point) => dot(point, colors.curve)));
     if (center) dots.push(dot(center.point, colors.center));
     for (const { style: look, points: single, center: mass } of others) {
-      for (const point of mass ? [...single, mass] : single) {
-        dots.push({ ...dot(point, look.color ?? colors.curve), filled: true });
-      }
+      const all = mass ? [...single, mass] : single;
+      dots.push(...all.map((point) => dot(point, look.color ?? colors.curve, true)));
     }
     const { objects } = this.editor.state.drawing;
     const shown = { ...view, others, ...(ownToo ? {} : { curve: null, isolines: null, legs: [] }) };
     const lines = await gathered(seenLines(shown, active, objects, vantage, colors));
     const all = await gathered(seenFills(viewer, vantage, colors));
     const fills = all.filter(({ id }) => this.#isMeant(id));
-    return { ...vantage.size, fills, lines, points: dots };
+    const inFront = dots.filter(({ height }) => height >= 0);
+    return { ...vantage.size, fills, lines, points: inFront };
   }
 }
 
@@ -316,26 +320,33 @@ function* seenLines(
   vantage: Vantage,
   colors: ViewerColors,
 ): Generator<DrawnLine> {
+  function* drawn(
+    line: Float32Array,
+    look: Omit<DrawnLine, 'lost' | keyof SeenLine>,
+    isLost?: (segment: number) => boolean,
+  ): Generator<DrawnLine> {
+    for (const { first, ...part } of vantage.seenParts(line)) {
+      const has = (segment: number) => isLost!(first + segment);
+      yield { ...part, ...look, ...(isLost && { lost: { color: colors.lost, has } }) };
+    }
+  }
   for (const { id, style, lines } of others) {
     const object = objects.find((one) => one.id === id);
     for (const line of lines) {
       const look = drawnStyle(style, vantage.widthOf(style, line), colors.curve);
-      yield { ...vantage.seen(line), ...look, ...(object && named(object)) };
+      yield* drawn(line, { ...look, ...(object && named(object)) });
     }
   }
-  for (const leg of legs) yield { ...vantage.seen(leg), color: colors.polygon, width: 1.2 };
+  for (const leg of legs) yield* drawn(leg, { color: colors.polygon, width: 1.2 });
   const own = (line: Float32Array) => ({
     ...drawnStyle(active, vantage.widthOf(active, line), colors.curve),
     ...named(active),
   });
   if (curve) {
-    const has = (segment: number) => curve.polylineStatus[segment + 1] === 1;
-    const style = own(curve.polyline);
-    yield { ...vantage.seen(curve.polyline), ...style, lost: { color: colors.lost, has } };
+    const { polyline, polylineStatus } = curve;
+    yield* drawn(polyline, own(polyline), (segment) => polylineStatus[segment + 1] === 1);
   }
-  for (const { polyline } of isolines?.lines ?? []) {
-    yield { ...vantage.seen(polyline), ...own(polyline) };
-  }
+  for (const { polyline } of isolines?.lines ?? []) yield* drawn(polyline, own(polyline));
 }
 
 /** Red, green and blue of `#rrggbb` or `rgb(r, g, b)`, 0 to 255. */

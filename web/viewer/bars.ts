@@ -22,7 +22,7 @@ export function barsOf({ pattern, spacing }: Pick<FillStyle, 'pattern' | 'spacin
 export const partPainted = ({ from, to }: Bars) => to - from;
 
 /** x and y of a place on paper, and the distance at this place. */
-type Valued = readonly [number, number, number];
+export type Valued = readonly [number, number, number];
 
 /**
  * The largest number of bars in a triangle. A triangle with more bars is painted whole: the bars
@@ -41,8 +41,8 @@ export function paintedParts(triangle: readonly Valued[], { period, from, to }: 
   if (!(last - first < mostBars)) return triangle.flatMap((corner) => corner.slice(0, 2));
   const triangles: number[] = [];
   for (let bar = first; bar <= last; bar++) {
-    const above = clipped(triangle, (bar + from) * period, 1);
-    const part = clipped(above, (bar + to) * period, -1);
+    const above = clipped(triangle, ([, , value]) => value - (bar + from) * period);
+    const part = clipped(above, ([, , value]) => (bar + to) * period - value);
     for (let i = 2; i < part.length; i++) {
       for (const [x, y] of [part[0]!, part[i - 1]!, part[i]!]) triangles.push(x, y);
     }
@@ -50,18 +50,24 @@ export function paintedParts(triangle: readonly Valued[], { period, from, to }: 
   return triangles;
 }
 
-/** The part of a polygon where the distance is above a limit or, with sign -1, below it. */
-function clipped(polygon: readonly Valued[], limit: number, sign: 1 | -1): Valued[] {
-  const heights = polygon.map(([, , value]) => sign * (value - limit));
-  const left: Valued[] = [];
+/**
+ * The part of a polygon where a height is not negative. The height is linear in the numbers of a
+ * corner.
+ */
+export function clipped<Corner extends readonly number[]>(
+  polygon: readonly Corner[],
+  heightOf: (corner: Corner) => number,
+): Corner[] {
+  const heights = polygon.map(heightOf);
+  const left: Corner[] = [];
   for (const [i, corner] of polygon.entries()) {
     const next = (i + 1) % polygon.length;
     const [here, there] = [heights[i]!, heights[next]!];
     if (here >= 0) left.push(corner);
     if (here >= 0 === there >= 0) continue;
     const part = here / (here - there);
-    const [x, y, value] = corner.map((of, k) => of + part * (polygon[next]![k]! - of));
-    left.push([x!, y!, value!]);
+    const between = corner.map((of, k) => of + part * (polygon[next]![k]! - of));
+    left.push(between as readonly number[] as Corner);
   }
   return left;
 }

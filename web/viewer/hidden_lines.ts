@@ -58,6 +58,7 @@ export function visibleParts(
   const ray = new Ray(new Vector3(...eye));
   const seen = new Matrix4().fromArray(matrix);
   const [middle, beside, place] = [new Vector3(), new Vector3(), new Vector3()];
+  const isInFront = (at: Vector3) => place.copy(at).applyMatrix4(seen).z <= 1;
   const isSeen = (i: number) => {
     middle.addVectors(places[i]!, places[i + 1]!).multiplyScalar(0.5);
     beside
@@ -71,7 +72,7 @@ export function visibleParts(
       return (tree.raycastFirst(ray, DoubleSide)?.distance ?? Infinity) >= away - grain;
     };
     const visible = isOpen(1) || (aside > 0 && isOpen(-1));
-    return visible && middle.applyMatrix4(seen).z <= 1;
+    return visible && isInFront(places[i]!) && isInFront(places[i + 1]!);
   };
   const lengths = places.slice(1).map((place, i) => place.distanceTo(places[i]!));
   const runs: { first: number; end: number; seen: boolean; length: number }[] = [];

@@ -3,7 +3,7 @@ import { type BufferGeometry, Color, Group, Mesh, type ShaderMaterial, Vector3 }
 import type { FillStyle } from '../model/drawing';
 import { isInTriangle } from '../model/parts';
 import type { Pattern, Region } from '../model/traced';
-import { type Bars, barsOf, paintedParts, partPainted } from './bars';
+import { type Bars, barsOf, clipped, paintedParts, partPainted, type Valued } from './bars';
 import { paint } from './clay';
 import type { Surface } from './surface';
 import type { Vantage } from './vantage';
@@ -103,39 +103,49 @@ export class Regions {
 /** The source of a region's triangles: its pattern or, without one, the region itself. */
 const shapeOf = ({ region, pattern }: PaintedRegion) => pattern ?? region;
 
-function seenTriangles(
-  places: Float32Array,
+/** The parts of triangles in the view, without those behind the camera or the surface. */
+export function seenTriangles(
+  places: ArrayLike<number>,
   vantage: Vantage,
   bars: (Bars & { values: Float32Array }) | null,
 ): Float32Array {
-  const count = places.length / 9;
   const triangles: number[] = [];
-  const [place, middle] = [new Vector3(), new Vector3()];
-  for (let i = 0; i < count; i++) {
-    middle.set(0, 0, 0);
-    for (let at = 9 * i; at < 9 * i + 9; at += 3) {
-      middle.addScaledVector(place.fromArray(places, at), 1 / 3);
-    }
-    if (vantage.project(middle).hidden) continue;
-    const [a, b, c] = [0, 3, 6].map((corner) => {
-      const { x, y } = vantage.onStage(place.fromArray(places, 9 * i + corner));
-      return [x, y] as const;
-    }) as [Place, Place, Place];
-    // All triangles have the same orientation, so that the fills of neighbors add up at their
-    // common edge and do not cancel.
-    const turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    const corners = turn < 0 ? [0, 2, 1] : [0, 1, 2];
-    const onPaper = [a, b, c];
-    if (!bars) for (const k of corners) triangles.push(...onPaper[k]!);
-    else {
-      const valued = corners.map((k) => [...onPaper[k]!, bars.values[3 * i + k]!] as const);
-      triangles.push(...paintedParts(valued, bars));
+  const place = new Vector3();
+  const cornerAt = (i: number): Corner => {
+    const [x, y, z] = [places[3 * i]!, places[3 * i + 1]!, places[3 * i + 2]!];
+    return [x, y, z, bars?.values[i] ?? 0];
+  };
+  const heightOf = ([x, y, z]: Corner) => vantage.height(place.set(x, y, z));
+  for (let i = 0; i < places.length / 3; i += 3) {
+    const polygon = clipped([cornerAt(i), cornerAt(i + 1), cornerAt(i + 2)], heightOf);
+    for (let k = 2; k < polygon.length; k++) {
+      triangles.push(...seenTriangle([polygon[0]!, polygon[k - 1]!, polygon[k]!], vantage, bars));
     }
   }
   return Float32Array.from(triangles);
 }
 
-type Place = readonly [number, number];
+/** A corner of a triangle in the scene: x, y, z, and the distance that a pattern follows. */
+type Corner = readonly [number, number, number, number];
+
+function seenTriangle(
+  corners: readonly [Corner, Corner, Corner],
+  vantage: Vantage,
+  bars: Bars | null,
+): number[] {
+  const [place, middle] = [new Vector3(), new Vector3()];
+  for (const [x, y, z] of corners) middle.addScaledVector(place.set(x, y, z), 1 / 3);
+  if (vantage.project(middle).hidden) return [];
+  const [a, b, c] = corners.map(([px, py, pz, value]) => {
+    const { x, y } = vantage.onStage(place.set(px, py, pz));
+    return [x, y, value] as const;
+  }) as [Valued, Valued, Valued];
+  // All triangles have the same orientation, so that the fills of neighbors add up at their common
+  // edge and do not cancel.
+  const turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  const onPaper = turn < 0 ? [a, c, b] : [a, b, c];
+  return bars ? paintedParts(onPaper, bars) : onPaper.flatMap((corner) => corner.slice(0, 2));
+}
 
 const keyOf = ({ id, style, color, locked, pattern }: PaintedRegion) => {
   const { fill, fillColor, pattern: kind, spacing } = style;

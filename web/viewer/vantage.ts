@@ -33,16 +33,16 @@ export class Vantage {
 
   /**
    * The place of a point of the scene on the stage, in CSS pixels, and whether the point is hidden:
-   * behind the surface or behind the camera.
+   * behind the surface or behind the camera. `height` is the height above the camera's near plane.
    */
-  project(position: Vector3): { x: number; y: number; hidden: boolean } {
+  project(position: Vector3): { x: number; y: number; hidden: boolean; height: number } {
     const { origin, direction } = this.#ray;
     const distance = this.camera.position.distanceTo(position);
     origin.copy(this.camera.position);
     direction.copy(position).sub(origin).normalize();
     const hidden = (this.surface?.depth(this.#ray) ?? Infinity) < distance - grain;
     const { x, y, z } = this.onStage(position.clone());
-    return { x, y, hidden: hidden || z > 1 };
+    return { x, y, hidden: hidden || z > 1, height: this.height(position) };
   }
 
   /** Converts a point of the scene to its place on the stage, in CSS pixels, and its depth. */
@@ -58,17 +58,47 @@ export class Vantage {
     return place.unproject(this.camera);
   }
 
+  /** The height of a point of the scene above the camera's near plane; behind it less than 0. */
+  height(position: Vector3): number {
+    const { matrixWorldInverse, near } = this.camera;
+    return -position.clone().applyMatrix4(matrixWorldInverse).z - near;
+  }
+
   /** A polyline in the surface's coordinates as it appears on the stage. */
   seen(polyline: Float32Array): SeenLine {
-    const line: SeenLine = { x: [], y: [], hidden: [] };
-    const places = this.surface?.toScene(polyline) ?? [];
-    for (let i = 0; i < places.length; i += 3) {
-      const { x, y, hidden } = this.project(new Vector3().fromArray(places, i));
-      line.x.push(x);
-      line.y.push(y);
-      line.hidden.push(hidden);
+    return this.#onStage(placesIn(this.surface?.toScene(polyline)));
+  }
+
+  /**
+   * The parts of a polyline, in the surface's coordinates, that the camera's near plane does not cut
+   * off, as they appear on the stage. Each part has the index of its first segment.
+   */
+  *seenParts(polyline: Float32Array): Generator<SeenLine & { first: number }> {
+    const places = placesIn(this.surface?.toScene(polyline));
+    const heights = places.map((place) => this.height(place));
+    let part: Vector3[] = [];
+    let first = 0;
+    for (const [i, place] of places.entries()) {
+      const [before, height] = [heights[Math.max(0, i - 1)]!, heights[i]!];
+      if (before >= 0 !== height >= 0) {
+        if (height >= 0) first = i - 1;
+        part.push(places[i - 1]!.clone().lerp(place, before / (before - height)));
+      }
+      if (height >= 0) part.push(place);
+      if (part.length > 0 && (height < 0 || i === places.length - 1)) {
+        yield { ...this.#onStage(part), first };
+        part = [];
+      }
     }
-    return line;
+  }
+
+  #onStage(places: readonly Vector3[]): SeenLine {
+    const seen = places.map((place) => this.project(place));
+    return {
+      x: seen.map(({ x }) => x),
+      y: seen.map(({ y }) => y),
+      hidden: seen.map(({ hidden }) => hidden),
+    };
   }
 
   /**
@@ -132,6 +162,11 @@ export class Vantage {
     return Number(this.seenWidth(style, this.surface!.inScene([x, y, z])).toFixed(2));
   }
 }
+
+const placesIn = (coordinates: ArrayLike<number> = []): Vector3[] =>
+  Array.from({ length: coordinates.length / 3 }, (_, i) =>
+    new Vector3().fromArray(coordinates, 3 * i),
+  );
 
 /**
  * Converts a place from coordinates between -1 and 1 across the stage to CSS pixels from the
