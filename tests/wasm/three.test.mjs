@@ -253,6 +253,32 @@ describe('a surface', () => {
     }
   });
 
+  test('has one normal across seams whose vertices differ by rounding', async () => {
+    const worker = await loadInWorker();
+    // At the seam of three.js's sphere the sine of 2 pi is not 0.
+    const sphere = new THREE.SphereGeometry(1, 24, 16);
+    const inPage = surfaceFromGeometry(karcher, sphere);
+    for (const surface of [inPage, await surfaceFromGeometry(worker, sphere)]) {
+      const geometry = geometryOf(surface);
+      const { position, normal } = geometry.attributes;
+      const [place, upright] = [new THREE.Vector3(), new THREE.Vector3()];
+      // The mesh is symmetric about its axis, so that normals of one row have one slope.
+      const slopes = new Map();
+      for (let v = 0; v < position.count; v++) {
+        if (!geometry.index.array.includes(v)) continue;
+        place.fromBufferAttribute(position, v);
+        const radial = upright.fromBufferAttribute(normal, v).dot(place);
+        const row = Math.floor(v / 25);
+        const slope = slopes.get(row) ?? radial;
+        slopes.set(row, slope);
+        assert.ok(Math.abs(radial - slope) < 1e-6, `vertex ${v}: ${radial}, not ${slope}`);
+      }
+      const object = somewhere(geometry, randomFrom(seed));
+      for (const hit of hitsOf(object, randomFrom(seed), 200)) surface.pointAt(hit);
+    }
+    worker.dispose();
+  });
+
   test('has distances as colors and a log map as texture coordinates', () => {
     const plane = new THREE.PlaneGeometry(2, 2, 8, 8);
     const surface = surfaceFromGeometry(karcher, plane);

@@ -18,8 +18,8 @@ export interface GeometryGroup {
 /**
  * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's
  * faces, and normals. Vertices keep their numbers. If several vertices lie at one place, the index
- * names the first of them, and all have its normal, so that normals are smooth across seams. The
- * geometry has the given `groups`, such as those of the original geometry.
+ * names the first of them. Vertices that the mesh has welded have one normal, so that normals are
+ * smooth across seams. The geometry has the given `groups`, such as those of the original geometry.
  */
 export function geometryOf(
   surface: Surface<AnyMesh>,
@@ -28,15 +28,17 @@ export function geometryOf(
   const { triangles } = surface;
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(triangles.positions), 3));
-  const index = Uint32Array.from(triangles.corners, (v) => triangles.first(v));
-  geometry.setIndex(new BufferAttribute(index, 1));
+  const setIndex = (vertexOf: (vertex: number) => number) =>
+    geometry.setIndex(new BufferAttribute(Uint32Array.from(triangles.corners, vertexOf), 1));
   for (const { start, count, materialIndex } of groups) {
     geometry.addGroup(start, count, materialIndex);
   }
+  const { welded } = triangles;
+  setIndex((v) => welded[v]!);
   geometry.computeVertexNormals();
   const normals = geometry.getAttribute('normal') as BufferAttribute;
-  for (let v = 0; v < normals.count; v++) normals.copyAt(v, normals, triangles.first(v));
-  return geometry;
+  for (let v = 0; v < normals.count; v++) normals.copyAt(v, normals, welded[v]!);
+  return setIndex((v) => triangles.first(v));
 }
 
 /** The shape of a tube. */

@@ -228,9 +228,11 @@ export function surfaceFromGeometry(
     index ? index.getX(i) : i,
   );
   const mesh = karcher.meshFromArrays(positions, corners, options);
-  const surface = <OfMesh extends AnyMesh>(made: OfMesh) =>
-    new Surface(made, new Triangles(positions, corners));
-  return mesh instanceof Promise ? mesh.then(surface<RemoteMesh>) : surface<Mesh>(mesh);
+  const surface = <OfMesh extends AnyMesh>(made: OfMesh, welded: Float64Array) =>
+    new Surface(made, new Triangles(positions, corners, welded));
+  return mesh instanceof Promise
+    ? mesh.then(async (made) => surface(made, await made.positions()))
+    : surface(mesh, mesh.positions());
 }
 
 /** The surface of a mesh from another source. `geometryOf` returns a geometry that draws it. */

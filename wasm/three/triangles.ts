@@ -8,10 +8,9 @@ export class Triangles {
   readonly corners: Int32Array;
   /** The length of the bounding box's diagonal. */
   readonly diagonal: number;
-  /** Vertices by a hash of their place; -1 for a free slot. */
-  readonly #table: Int32Array;
-  /** The first vertex at the place of each vertex. */
-  readonly #first: Int32Array;
+  /** The first vertex that the mesh has at the place of each vertex, where welding put it. */
+  readonly welded: Int32Array;
+  readonly #places: Places;
   /**
    * The triangles at each place, one list after the other. `#starts` has the beginning of each
    * list, by the first vertex at the place.
@@ -19,36 +18,34 @@ export class Triangles {
   readonly #starts: Int32Array;
   readonly #around: Int32Array;
 
-  constructor(positions: Float64Array, corners: Int32Array) {
+  /** `welded` has the places of the vertices after welding, if they differ from `positions`. */
+  constructor(positions: Float64Array, corners: Int32Array, welded = positions) {
     const vertices = positions.length / 3;
     this.positions = positions;
     this.corners = corners;
-    this.#table = new Int32Array(2 ** Math.ceil(Math.log2(2 * vertices + 2))).fill(-1);
-    this.#first = Int32Array.from({ length: vertices }, (_, v) => this.#keep(v));
+    this.#places = new Places(positions);
+    this.welded = welded === positions ? this.#places.first : new Places(welded).first;
+    const { first } = this.#places;
     this.#starts = new Int32Array(vertices + 1);
-    for (const v of corners)
-      this.#starts[this.#first[v]! + 1] = this.#starts[this.#first[v]! + 1]! + 1;
+    for (const v of corners) this.#starts[first[v]! + 1]!++;
     for (let v = 0; v < vertices; v++)
       this.#starts[v + 1] = this.#starts[v + 1]! + this.#starts[v]!;
     const next = this.#starts.slice();
     this.#around = new Int32Array(corners.length);
     corners.forEach((v, i) => {
-      const first = this.#first[v]!;
-      const place = next[first]!;
-      next[first] = place + 1;
-      this.#around[place] = Math.floor(i / 3);
+      this.#around[next[first[v]!]!++] = Math.floor(i / 3);
     });
     this.diagonal = diagonalOf(positions, corners);
   }
 
   /** The first vertex at the same place. */
   first(vertex: number): number {
-    return this.#first[vertex]!;
+    return this.#places.first[vertex]!;
   }
 
   /** A triangle at a vertex, or -1. */
   at(vertex: number): number {
-    const first = this.#first[vertex];
+    const first = this.#places.first[vertex];
     if (first === undefined || this.#starts[first] === this.#starts[first + 1]) return -1;
     return this.#around[this.#starts[first]!]!;
   }
@@ -59,7 +56,7 @@ export class Triangles {
    * `likely`.
    */
   find(places: ArrayLike<number>, likely: number): number {
-    const [a, b, c] = [0, 3, 6].map((i) => this.#at(places[i]!, places[i + 1]!, places[i + 2]!));
+    const [a, b, c] = [0, 3, 6].map((i) => this.#places.at(places, i));
     if (a! < 0 || b! < 0 || c! < 0) return -1;
     let found = -1;
     let best = 0;
@@ -76,33 +73,46 @@ export class Triangles {
 
   /** The rank of a face: 3 for corners in this order, 1 for the opposite order, 0 for others. */
   #order(face: number, a: number, b: number, c: number): number {
-    const [u, v, w] = [0, 1, 2].map((k) => this.#first[this.corners[3 * face + k]!]!);
+    const [u, v, w] = [0, 1, 2].map((k) => this.first(this.corners[3 * face + k]!));
     const is = (x: number, y: number, z: number) => x === a && y === b && z === c;
     if (is(u!, v!, w!) || is(v!, w!, u!) || is(w!, u!, v!)) return 3;
     return is(u!, w!, v!) || is(w!, v!, u!) || is(v!, u!, w!) ? 1 : 0;
   }
+}
 
-  /** Puts a vertex into the table, and returns the first vertex at the same place. */
-  #keep(vertex: number): number {
-    const { positions } = this;
-    const i = 3 * vertex;
-    const slot = this.#slot(positions[i]!, positions[i + 1]!, positions[i + 2]!);
-    if (this.#table[slot]! < 0) this.#table[slot] = vertex;
-    return this.#table[slot]!;
+/** Vertices by their places, in a hash table. */
+class Places {
+  /** The first vertex at the place of each vertex. */
+  readonly first: Int32Array;
+  readonly #positions: Float64Array;
+  /** Vertices by a hash of their place; -1 for a free slot. The table is at most half full. */
+  readonly #table: Int32Array;
+
+  constructor(positions: Float64Array) {
+    const vertices = positions.length / 3;
+    this.#positions = positions;
+    this.#table = new Int32Array(2 ** Math.ceil(Math.log2(2 * vertices + 2))).fill(-1);
+    this.first = Int32Array.from({ length: vertices }, (_, vertex) => {
+      const slot = this.#slot(positions, 3 * vertex);
+      if (this.#table[slot]! < 0) this.#table[slot] = vertex;
+      return this.#table[slot]!;
+    });
   }
 
-  #at(x: number, y: number, z: number): number {
-    return this.#table[this.#slot(x, y, z)]!;
+  /** The first vertex at the place whose coordinates begin at an index; -1 without one. */
+  at(places: ArrayLike<number>, i: number): number {
+    return this.#table[this.#slot(places, i)]!;
   }
 
-  /** The slot of the vertex at a place, or a free one. The table is never more than half full. */
-  #slot(x: number, y: number, z: number): number {
+  /** The slot of the vertex at a place, or a free one. */
+  #slot(places: ArrayLike<number>, i: number): number {
+    const [x, y, z] = [places[i]!, places[i + 1]!, places[i + 2]!];
     const mask = this.#table.length - 1;
     let slot = hash(x, y, z) & mask;
     for (;;) {
       const vertex = this.#table[slot]!;
       if (vertex < 0) return slot;
-      const [px, py, pz] = [0, 1, 2].map((k) => this.positions[3 * vertex + k]!);
+      const [px, py, pz] = [0, 1, 2].map((k) => this.#positions[3 * vertex + k]!);
       // A vertex with a NaN coordinate shares its place with no other vertex.
       if (px === x && py === y && pz === z) return slot;
       slot = (slot + 1) & mask;
