@@ -135,6 +135,7 @@ class Descent {
       if (inCorner && direction.norm() > steepest) {
         steepest = direction.norm();
         bestCorner = h;
+        bestEdge = -1;
       }
       considerEdge(h, vertex, mesh_.head(h), steepest, bestEdge);
       const int last = previous(h);

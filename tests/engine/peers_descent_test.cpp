@@ -93,6 +93,48 @@ TEST(Descent, ConvergesToTheShortestPathOnThePlane) {
   EXPECT_LT(excesses[1], std::min(excesses[0], 1e-3));
 }
 
+/// The steepest descent among many directions at a vertex, in all faces around it.
+double steepestAround(const TriangleMesh& mesh, const Array<double>& values, int vertex) {
+  constexpr int kDirections = 200;
+  double steepest = 0;
+  for (const int h : outgoingHalfedges(mesh, vertex)) {
+    const Vec3& here = mesh.positions[vertex];
+    const Vec3 a = mesh.positions[mesh.head(h)] - here;
+    const Vec3 b = mesh.positions[mesh.opposite(h)] - here;
+    const double alongA = values[mesh.head(h)] - values[vertex];
+    const double alongB = values[mesh.opposite(h)] - values[vertex];
+    for (int k = 0; k <= kDirections; ++k) {
+      const double part = static_cast<double>(k) / kDirections;
+      const double fall = -((1 - part) * alongA + part * alongB);
+      steepest = std::max(steepest, fall / ((1 - part) * a + part * b).norm());
+    }
+  }
+  return steepest;
+}
+
+TEST(Descent, LeavesAVertexByTheSteepestWay) {
+  const TriangleMesh mesh = meshOf(tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 300, 3));
+  const Geometry geometry = buildGeometry(mesh);
+  Random random(15);
+  int left = 0;
+  for (int i = 0; i < 300; ++i) {
+    Array<double> values;
+    for (int v = 0; v < mesh.vertexCount(); ++v) values.push_back(random.uniform(0, 1));
+    const int vertex = random.index(mesh.vertexCount());
+    const SurfacePoint far = vertexPoint(mesh, (vertex + mesh.vertexCount() / 2) % 100);
+    const DescentPath path = descendDistance(geometry, values, far, vertexPoint(mesh, vertex));
+    if (path.points.count() < 2 || liesInFace(mesh, locate(mesh, far), path.points[1].face)) {
+      continue;
+    }
+    ++left;
+    const double fall = values[vertex] - valueAt(mesh, values, path.points[1]);
+    const double length = (position(mesh, path.points[1]) - mesh.positions[vertex]).norm();
+    EXPECT_GE(fall / length, (1 - 1e-12) * steepestAround(mesh, values, vertex))
+        << "seed 15, case " << i;
+  }
+  EXPECT_GE(left, 200);
+}
+
 TEST(Descent, ReportsWhereItIsStuck) {
   const TriangleMesh mesh = planeGrid(6, 6);
   const Geometry geometry = buildGeometry(mesh);
