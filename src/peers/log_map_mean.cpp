@@ -5,6 +5,12 @@
 #include "intrinsic/straightest.h"
 
 namespace karcher {
+namespace {
+
+/// The authors' library halves a step this often before it gives up, and tests each part.
+constexpr int kLibraryHalvings = 7;
+
+}  // namespace
 
 LogMapMean::LogMapMean(const Geometry& geometry, LogMapFromVertex logMapFromVertex,
                        Array<SurfacePoint> points, const LogMapMeanOptions& options)
@@ -45,6 +51,7 @@ CenterOfMass LogMapMean::centerOfMass(Weights weights, const SurfacePoint& start
   CenterOfMass center;
   State state = stateAt(start, weights);
   const double tolerance = options_.tolerance * geometry_.meanEdge;
+  double libraryStep = 1;  // the part of the last step that the library tests
   center.status = Status::kLimit;
   for (; center.iterations < options_.maxIterations; ++center.iterations) {
     if (state.step.norm() <= tolerance) {
@@ -56,12 +63,13 @@ CenterOfMass LogMapMean::centerOfMass(Weights weights, const SurfacePoint& start
       const bool atBoundary =
           location.simplex == Simplex::kEdge && geometry_.mesh->twin[location.halfedge] < 0;
       center.status = atBoundary ? Status::kBoundary : Status::kNoProgress;
+      libraryStep = 1.0 / (1 << kLibraryHalvings);
       break;
     }
   }
   center.point = state.point;
   const double faceSize = std::sqrt(doubleArea(geometry_, state.point.face) / 2);
-  metLibraryRule_ = state.step.norm() < faceSize / 3;
+  metLibraryRule_ = libraryStep * state.step.norm() < faceSize / 3;
   return center;
 }
 

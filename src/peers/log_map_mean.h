@@ -41,8 +41,10 @@ class LogMapMean {
   /// point, kUnreachable if a control point has no logarithm at the place of the search.
   CenterOfMass centerOfMass(Weights weights, const SurfacePoint& start);
 
-  /// Whether the last search met the stopping rule of the authors' library: a weighted sum shorter
-  /// than a third of the root of the face's area (geometry-central, findCenter).
+  /// Whether the last search met the stopping rule of the authors' library (geometry-central,
+  /// findCenter): a step shorter than a third of the root of the face's area. A step is the
+  /// weighted sum. Where a step does not lower the energy, the library halves it up to seven times
+  /// and tests each part.
   bool metLibraryRule() const { return metLibraryRule_; }
 
   /// The number of log maps computed since the last `setPoints`.

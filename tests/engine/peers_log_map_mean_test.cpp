@@ -91,6 +91,29 @@ TEST(LogMapMean, ReportsTheBoundary) {
   EXPECT_EQ(center.status, Status::kBoundary);
 }
 
+/// The authors' library halves a step up to seven times before it gives up a search. It accepts the
+/// place if one of these steps is shorter than a third of the root of the face's area. At the
+/// boundary of a plane no step lowers the energy, and the step leads to the center in the plane.
+TEST(LogMapMean, MeetsTheLibraryRuleByItsShortestStep) {
+  const TriangleMesh mesh = planeGrid(8, 8);
+  const Geometry geometry = buildGeometry(mesh);
+  const HeatOperators operators(geometry);
+  const double longest = 128 * std::sqrt(0.5) / 3;
+  int accepted = 0;
+  for (const double beyond : {0.02, 1.0, 6.5, 7.0, 7.4, 7.7, 8.0, 20.0}) {
+    LogMapMean mean(geometry, affineHeatOf(operators),
+                    {nearestPoint(mesh, {1, 4.2, 0}), nearestPoint(mesh, {5, 4.4, 0})});
+    const Array<double> weights{1 + beyond, -beyond};
+    const CenterOfMass center = mean.centerOfMass(weights, nearestPoint(mesh, {1.2, 4.4, 0}));
+    const Vec3 inPlane(1 - 4 * beyond, 4.2 - 0.2 * beyond, 0);
+    const double step = (inPlane - position(mesh, center.point)).norm();
+    EXPECT_EQ(center.status, inPlane.x() > 0 ? Status::kConverged : Status::kBoundary) << beyond;
+    EXPECT_EQ(mean.metLibraryRule(), step < longest) << beyond << ": " << step;
+    accepted += mean.metLibraryRule();
+  }
+  EXPECT_EQ(accepted, 6);
+}
+
 TEST(LogMapMean, KeepsLogMapsOfPointsThatMove) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
