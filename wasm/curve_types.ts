@@ -282,7 +282,7 @@ export interface EllipseOptions extends ArcOptions {
 
 /** The durations, in milliseconds, of a curve's last update. */
 export interface CurveTimes {
-  /** The time for the legs of the control polygon, if the curve uses them. */
+  /** The time for the legs of the control polygon, if the curve uses them, and for its levels. */
   polygon: number;
   /** The time for the fields of the control points. */
   fields: number;

@@ -156,28 +156,32 @@ void Curve::set(CurveValue value) {
 }
 
 void Curve::make(Next& next) {
-  double last = clock_ ? clock_() : 0;
-  const auto timed = [&](double& stage) {
-    if (!clock_) return;
-    const double now = clock_();
-    stage = now - last;
-    last = now;
-  };
+  lastTime_ = clock_ ? clock_() : 0;
   next.jumps = false;
   continueLegs(next.value);
   makeLegs(next);
-  makeSegments(next);
-  timed(times_.polygon);
-  makeFields(next);
-  timed(times_.fields);
-  trace(next);
+  makeStages(next);
   if (!jumpsAtLevelZero(next)) return;
   // The curve of level 0 is not safe after all.
   next.jumps = true;
   releaseFields(next.segments);
+  makeStages(next);
+}
+
+void Curve::makeStages(Next& next) {
   makeSegments(next);
+  countTime(times_.polygon);
   makeFields(next);
+  countTime(times_.fields);
   trace(next);
+}
+
+/// Adds the time since the last call, or since the beginning of the edit, to a stage.
+void Curve::countTime(double& stage) {
+  if (!clock_) return;
+  const double now = clock_();
+  stage += now - lastTime_;
+  lastTime_ = now;
 }
 
 const Array<SurfacePath>& Curve::legs() {

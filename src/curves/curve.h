@@ -16,7 +16,7 @@ namespace karcher {
 
 /// The durations of the last edit's stages, in the clock's unit; 0 without a clock.
 struct StageTimes {
-  double polygon = 0;  ///< the duration of legs and levels
+  double polygon = 0;  ///< the duration of legs, levels and the refined polygon
   double fields = 0;
   double samples = 0;
   double bridges = 0;
@@ -186,6 +186,8 @@ class Curve {
   void continueLegs(CurveValue& value);
   void takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const;
   void make(Next& next);
+  void makeStages(Next& next);
+  void countTime(double& stage);
   void makeLegs(Next& next) const;
   void makeSegments(Next& next);
   void makePolygon(Next& next);
@@ -227,6 +229,7 @@ class Curve {
   std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
   std::function<double()> clock_;
   StageTimes times_;
+  double lastTime_ = 0;  ///< the time up to which `times_` counts
   int fieldsMade_ = 0;
 };
 

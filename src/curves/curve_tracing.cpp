@@ -51,28 +51,21 @@ SegmentFields& Curve::blendFields() {
 
 /// Traces the untraced pieces, and merges the pieces of each segment.
 void Curve::trace(Next& next) {
-  double last = clock_ ? clock_() : 0;
-  const auto timed = [&](double& stage) {
-    if (!clock_) return;
-    const double now = clock_();
-    stage += now - last;
-    last = now;
-  };
   for (int j = 0; j < next.segments.count(); ++j) {
     for (Piece& piece : next.segments[j].pieces) {
       if (piece.isTraced_) continue;
       piece.traced_ = std::make_shared<TracedPiece>();
       findSamples(next, piece, j);
-      timed(times_.samples);
+      countTime(times_.samples);
       layBridges(next, piece);
-      timed(times_.bridges);
+      countTime(times_.bridges);
       join(next, piece);
       piece.isTraced_ = true;
-      timed(times_.joins);
+      countTime(times_.joins);
     }
   }
   merge(next);
-  timed(times_.joins);
+  countTime(times_.joins);
 }
 
 BasisWriter Curve::basisOf(const Piece& piece) {
