@@ -79,8 +79,10 @@ ComparedCurve::ComparedCurve(PreparedMethod& method, ComparedPlan plan)
     }
   } else if (options.method == ComparedMethod::kVectorHeat ||
              options.method == ComparedMethod::kAffineHeat) {
-    mean_ =
-        std::make_unique<LogMapMean>(method.surface().geometry(), method.logMaps(), plan_.points);
+    LogMapMeanOptions meanOptions;
+    meanOptions.clock = options.clock;
+    mean_ = std::make_unique<LogMapMean>(method.surface().geometry(), method.logMaps(),
+                                         plan_.points, meanOptions);
   }
 }
 

@@ -49,6 +49,7 @@ struct ComparedOptions {
   /// A function that the method calls before the distances of each landmark, and that may throw to
   /// cancel.
   std::function<void(int landmarks)> progress;
+  std::function<double()> clock;  ///< the clock of log maps (LogMapMeanOptions)
 };
 
 /// The data that a method computes once for a mesh and all curves on it.

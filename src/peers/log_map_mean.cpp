@@ -25,6 +25,7 @@ void LogMapMean::setPoints(Array<SurfacePoint> points) {
   keptBytes_ = 0;
   logMapCount_ = 0;
   logMapsAsked_ = 0;
+  logMapMilliseconds_ = 0;
 }
 
 void LogMapMean::movePoint(int i, const SurfacePoint& point) {
@@ -108,8 +109,10 @@ const Array<Vec2>& LogMapMean::logarithmsAt(int vertex) {
   ++logMapsAsked_;
   const auto known = known_.find(vertex);
   if (known != known_.end()) return known->second.ofPoints;
+  const double begin = options_.clock ? options_.clock() : 0;
   KnownMap made{logMapFromVertex_(vertex), {}};
   ++logMapCount_;
+  if (options_.clock) logMapMilliseconds_ += options_.clock() - begin;
   for (int i = 0; i < points_.count(); ++i) {
     made.ofPoints.push_back(logarithmOf(made.whole, i));
     if (!made.ofPoints[i].allFinite()) {

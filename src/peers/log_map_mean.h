@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <unordered_map>
 
 #include "peers/vector_heat.h"
@@ -16,6 +17,7 @@ struct LogMapMeanOptions {
   /// The largest memory for whole log maps, in bytes. The mean reads the logarithms of moved points
   /// from these maps. A map takes 16 bytes for each vertex.
   size_t mostBytes = size_t{1} << 29;
+  std::function<double()> clock = {};  ///< the time in milliseconds; without it nothing is timed
 };
 
 /// The center of mass of control points that stay the same for many weights. The first search that
@@ -50,6 +52,9 @@ class LogMapMean {
   /// The number of log maps computed since the last `setPoints`.
   int logMapCount() const { return logMapCount_; }
 
+  /// The duration of the computation of these log maps, in milliseconds; 0 without a clock.
+  double logMapMilliseconds() const { return logMapMilliseconds_; }
+
   /// The number of requests for log maps. The authors' library keeps no maps and would compute one
   /// for each request.
   int64_t logMapsAsked() const { return logMapsAsked_; }
@@ -82,6 +87,7 @@ class LogMapMean {
   bool metLibraryRule_ = false;
   int logMapCount_ = 0;
   int64_t logMapsAsked_ = 0;
+  double logMapMilliseconds_ = 0;
 };
 
 }  // namespace karcher

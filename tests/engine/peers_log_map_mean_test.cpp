@@ -154,6 +154,26 @@ TEST(LogMapMean, KeepsLogMapsOfPointsThatMove) {
   }
 }
 
+TEST(LogMapMean, TimesTheLogMapsAlone) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const HeatOperators operators(geometry);
+  double now = 0;
+  const LogMapFromVertex logMaps = [&](int v) {
+    now += 3;
+    return vectorHeatLogMap(operators, v);
+  };
+  LogMapMeanOptions options;
+  options.clock = [&] { return now; };
+  const Array<SurfacePoint> points{vertexPoint(mesh, 561), vertexPoint(mesh, 301)};
+  LogMapMean mean(geometry, logMaps, points, options);
+  mean.centerOfMass(Array<double>{0.4, 0.6}, points[0]);
+  EXPECT_GT(mean.logMapCount(), 1);
+  EXPECT_EQ(mean.logMapMilliseconds(), 3 * mean.logMapCount());
+  mean.setPoints(points);
+  EXPECT_EQ(mean.logMapMilliseconds(), 0);
+}
+
 /// Two components.
 TriangleMesh twoTriangles() {
   return buildMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},

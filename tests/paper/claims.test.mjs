@@ -66,6 +66,9 @@ test('the saved verdicts and their sentences follow from the saved numbers', () 
   const report = JSON.parse(readFileSync(inRoot('docs/paper-report.json'), 'utf8'));
   // Older reports have no meshes of a folder, which these rows need.
   const onMeshes = report.meshes === undefined ? ['against-averages'] : [];
+  // Nor do they have the times of log maps.
+  const untimed = ({ result: { logMaps } }) => logMaps && logMaps.ms === undefined;
+  const timed = report.table?.cells.some(untimed) ? ['against-vector-heat'] : [];
   let followed = 0;
   for (const row of judge(measuredOf(report))) {
     if (row.verdict === 'not measured here' || onMeshes.includes(row.id)) continue;
@@ -73,7 +76,8 @@ test('the saved verdicts and their sentences follow from the saved numbers', () 
     assert.deepEqual(JSON.parse(JSON.stringify(row)), saved, 'npm run paper -- --judge');
     followed++;
   }
-  assert.ok(followed >= (report.studies ? report.claims.length : 12), `${followed}`);
+  const least = report.studies ? report.claims.length - timed.length : 12;
+  assert.ok(followed >= least, `${followed}`);
 });
 
 test('a saved report says what its verdicts depend on', () => {

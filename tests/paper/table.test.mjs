@@ -168,6 +168,15 @@ describe('the table on a page', () => {
 });
 
 describe('the table', () => {
+  test('estimates the time with a log map at each evaluation by the time of log maps alone', () => {
+    const logMaps = { made: 10, asked: 200, ms: 30 };
+    assert.equal(rows.asUsedMs({ traceMs: 100, logMaps }), 100 + 19 * 30);
+    assert.equal(rows.asUsedMs({ traceMs: 100, logMaps: { ...logMaps, asked: 10 } }), 100);
+    assert.equal(rows.asUsedMs({ traceMs: 100, logMaps: { made: 0, asked: 0, ms: 0 } }), null);
+    assert.equal(rows.asUsedMs({ traceMs: 100, logMaps: null }), null);
+    assert.equal(rows.asUsedMs({ traceMs: null, logMaps }), null);
+  });
+
   test('measures every method in every row', async () => {
     const small = rows.smallRows(0.02).slice(0, 3);
     const { cells, events } = await measured(small);
@@ -185,7 +194,11 @@ describe('the table', () => {
       assert.ok(result.memory > 1000 && result.memory < 1e9, `${method}: ${result.memory} bytes`);
       const used = rows.asUsedMs(result);
       assert.equal(used !== null, ['vectorHeat', 'affineHeat'].includes(method), method);
-      if (used !== null) assert.ok(used >= result.traceMs, method);
+      if (used !== null) {
+        const { made, asked, ms } = result.logMaps;
+        assert.ok(used >= result.traceMs && ms < result.traceMs, method);
+        assert.ok(used < (result.traceMs * asked) / made, `${method}: ${used}`);
+      }
       assert.equal(result.samples, 9 * segments);
       assert.ok(triangles >= 450 && triangles <= 1_100);
     }

@@ -154,7 +154,7 @@ describe('more stable than vector heat', () => {
     ...{ row: 'torus', method, triangles: 9, segments: 4 },
     result: { ok: true, traceMs, logMaps },
   });
-  const table = [cell('paper', 1, null), cell('vectorHeat', 100, { made: 1, asked: 100 })];
+  const table = [cell('paper', 1, null), cell('vectorHeat', 100, { made: 1, asked: 100, ms: 100 })];
   const of = (...lines) => rowOf({ panels: { 'a/b': lines }, table }, 'against-vector-heat');
 
   test('more lost samples decide, and equally many are not fewer', () => {
@@ -177,7 +177,7 @@ describe('more stable than vector heat', () => {
       rowOf(
         {
           panels: { 'a/b': lines },
-          table: [table[0], cell('vectorHeat', traceMs, { made: 1, asked })],
+          table: [table[0], cell('vectorHeat', traceMs, { made: 1, asked, ms: traceMs })],
         },
         'against-vector-heat',
       );
@@ -494,7 +494,7 @@ test('on a busy machine claims without times are judged as usual', () => {
   const lines = (lost) => ({ 'a/b': [heat, line('paper', { lost })] });
   const cell = (method, traceMs) => ({
     ...{ row: 'torus', method, triangles: 9, segments: 4 },
-    result: { ok: true, traceMs, logMaps: { made: 1, asked: 100 } },
+    result: { ok: true, traceMs, logMaps: { made: 1, asked: 100, ms: traceMs } },
   });
   const table = [cell('paper', 1), cell('vectorHeat', 100)];
   const of = (lost) => rowOf({ panels: lines(lost), table, load: busy }, 'against-vector-heat');

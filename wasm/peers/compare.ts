@@ -61,8 +61,8 @@ export interface MethodResult {
    */
   lostByOwnRule: number | null;
   /**
-   * The numbers of log maps of a heat method. A library that computes a map at each request takes
-   * about `traceMs * asked / made`.
+   * The numbers and the time of a heat method's log maps. A library that computes a map at each
+   * request takes about `traceMs + ms * (asked - made) / made`.
    */
   logMaps: LogMapCounts | null;
   /** The distances from the reference (`CurveMeasures.deviation`). */
@@ -323,6 +323,7 @@ async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
   // would find its cached field.
   const traces = [run.traceMs!];
   const fields = [run.fieldsMs!];
+  const logMaps = [run.logMaps?.ms ?? 0];
   const drags = [await drag(curve, mesh, plan, work)];
   const dragFields = [curve.fieldsMs];
   run.dragMs = drags[0]!;
@@ -332,6 +333,7 @@ async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
     const again = method.curve(plan);
     traces.push(await again.trace(work));
     fields.push(again.fieldsMs);
+    logMaps.push(again.logMaps()?.ms ?? 0);
     drags.push(await drag(again, mesh, plan, work));
     dragFields.push(again.fieldsMs);
     again.dispose();
@@ -339,6 +341,7 @@ async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
   });
   run.traceMs = median(traces);
   run.fieldsMs = median(fields);
+  if (run.logMaps) run.logMaps.ms = median(logMaps);
   run.dragMs = median(drags);
   run.dragFieldMs = median(dragFields);
   run.prepareMs = await medianPreparation(repeated);

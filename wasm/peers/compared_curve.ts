@@ -98,9 +98,9 @@ export class ComparedCurve implements MethodCurve {
   }
 
   /**
-   * The numbers of computed and of requested log maps of a heat method. It computes one log map for
-   * each vertex that a search visits. The library of the method's authors computes a map at each
-   * request. Null for other methods.
+   * The numbers of computed and of requested log maps of a heat method, and the milliseconds that
+   * the computed ones took. A method computes one log map for each vertex that a search visits. The
+   * library of the method's authors computes a map at each request. Null for other methods.
    */
   logMaps(): LogMapCounts | null {
     return this.#handle.call((curve) => curve.logMaps());

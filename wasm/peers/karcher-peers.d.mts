@@ -86,8 +86,11 @@ export interface EngineComparedCurve {
   advance(samples: number): boolean;
   samplesLeft(): number;
   lostByOwnRule(): number;
-  /** The numbers of computed and of requested log maps; null for methods without log maps. */
-  logMaps(): { made: number; asked: number } | null;
+  /**
+   * The numbers of computed and of requested log maps, and the milliseconds that the computed ones
+   * took; null for methods without log maps.
+   */
+  logMaps(): { made: number; asked: number; ms: number } | null;
   /** The view (../view.ts) of the samples alone. */
   samples(): Uint8Array;
   /** The view of the path alone, in 64 bits and with points. */

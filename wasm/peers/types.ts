@@ -148,7 +148,7 @@ export interface ComparedLine {
 /** A center of mass by any of the methods. */
 export type ComparedCenter = Pick<CenterOfMass, 'point' | 'position' | 'status'>;
 
-/** The numbers of log maps of a heat method's curve. */
+/** The numbers of log maps of a heat method's curve, and their time. */
 export interface LogMapCounts {
   /** The number of computed log maps. */
   made: number;
@@ -156,6 +156,8 @@ export interface LogMapCounts {
    * The number of requests for log maps. The authors' library would compute a map for each request.
    */
   asked: number;
+  /** The milliseconds that the computed log maps took. */
+  ms: number;
 }
 
 /**

@@ -169,7 +169,7 @@ export async function tableReport(
       ]);
     },
   });
-  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals and energies are by exact paths at 33 samples. MB: what a method holds with its curve, the mesh apart. ${publishedNote}`;
+  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from the time of those computed and from how many were asked for. Residuals and energies are by exact paths at 33 samples. MB: what a method holds with its curve, the mesh apart. ${publishedNote}`;
   return { text: `## Table 1\n\n${about}\n\n${markdownTable(rows)}\n`, cells };
 }
 

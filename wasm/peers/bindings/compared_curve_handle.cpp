@@ -1,5 +1,7 @@
 #include "peers/bindings/compared_curve_handle.h"
 
+#include <emscripten/emscripten.h>
+
 #include <utility>
 
 #include "bindings/field_options.h"
@@ -56,6 +58,7 @@ val ComparedCurveHandle::logMaps() const {
   val result = val::object();
   result.set("made", curve_.logMaps()->logMapCount());
   result.set("asked", static_cast<double>(curve_.logMaps()->logMapsAsked()));
+  result.set("ms", curve_.logMaps()->logMapMilliseconds());
   return result;
 }
 
@@ -88,6 +91,7 @@ std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val&
   result.embedding.landmarks = options["landmarks"].as<int>();
   result.landmarkDistances =
       options["landmarkDistances"].as<std::string>() == "exact" ? Solver::kExact : Solver::kFast;
+  result.clock = emscripten_get_now;
   if (!progress.isUndefined()) {
     result.progress = [&progress](int landmarks) {
       if (progress(landmarks).as<bool>()) return;

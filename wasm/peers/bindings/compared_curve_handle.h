@@ -33,8 +33,8 @@ class ComparedCurveHandle {
   bool advance(int samples) { return curve_.advance(samples); }
   int samplesLeft() const { return curve_.samplesLeft(); }
   int lostByOwnRule() const { return curve_.lostByOwnRule(); }
-  /// {made, asked}: the number of computed log maps and the number of requests for log maps; null
-  /// for methods without log maps.
+  /// {made, asked, ms}: the number of computed log maps, the number of requests for log maps, and
+  /// the milliseconds that the computation took; null for methods without log maps.
   val logMaps() const;
   /// The view (view.h) of the samples alone.
   val samples() const;

@@ -109,10 +109,11 @@ export const publishedNote = `The paper’s own times are of its authors’ mach
 
 /**
  * An estimate of a heat method's tracing time if it computed a log map at each evaluation, like its
- * authors' library. It follows from the numbers of requested and computed maps. Null for methods
- * without log maps.
+ * authors' library. It follows from the time of the computed maps and from the number of requested
+ * ones. Null for methods without log maps, and for log maps without a time, as in older reports.
  */
 export function asUsedMs({ traceMs, logMaps }: MethodResult): number | null {
-  if (traceMs === null || !logMaps || logMaps.made === 0) return null;
-  return (traceMs * logMaps.asked) / logMaps.made;
+  if (traceMs === null || !logMaps?.ms) return null;
+  const { made, asked, ms } = logMaps;
+  return traceMs + (ms * (asked - made)) / made;
 }
