@@ -2,7 +2,14 @@
 // reasons for failures.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
-import { measureDrag, runMethod, standardOptions, traceReference } from 'karcher/peers';
+import {
+  CurveMeter,
+  measureDrag,
+  Ruler,
+  runMethod,
+  standardOptions,
+  traceReference,
+} from 'karcher/peers';
 import { distance, grid, nearestVertex } from './meshes.mjs';
 import { peersOnPlane, side } from './peers_on_plane.mjs';
 
@@ -63,6 +70,30 @@ describe('a drag', () => {
     assert.ok(leaping.most > 5 && leaping.most < 9.1, `${leaping.most}`);
     assert.ok(steady.most > 3 && steady.most < 5, `${steady.most}`);
   });
+});
+
+test('a curve has its samples on bridges and subdivided pieces, and they are measured', async () => {
+  const plan = peers.plan(points.slice(0, 4), 5);
+  const method = await peers.prepare(plane, { method: 'karcher' });
+  const curve = method.curve(plan);
+  await curve.trace();
+  const whole = curve.samples();
+  const status = ['converged', 'bridged', 'subdivided', 'noProgress', 'indefinite'];
+  const marked = { ...whole, status };
+  const measures = new CurveMeter(plane).measure(marked, whole);
+  assert.deepEqual([measures.lost, measures.deviation.samples], [2, 3]);
+  assert.equal(measures.sharpestTurn.t, whole.t[1]);
+  const { measured, of } = await new Ruler(plane, plan).measure(marked);
+  assert.deepEqual([measured, of], [3, 5]);
+  const still = (status) => ({
+    movePoint() {},
+    trace: async () => 0,
+    samples: () => ({ ...whole, status: whole.status.map(() => status) }),
+  });
+  for (const [one, most] of status.map((name, i) => [name, i < 3 ? 0 : null])) {
+    assert.equal((await measureDrag(still(one), plane, plan, 2)).most, most, one);
+  }
+  method.dispose();
 });
 
 describe('a comparison', () => {

@@ -8,6 +8,7 @@ import { alongPath, type CurveMeasures, CurveMeter, type ReferenceSamples } from
 import type { Peers } from './peers.js';
 import { comparedMethods } from './prepared_method.js';
 import type { Ruler, RulerMeasures } from './ruler.js';
+import { isThere } from './status.js';
 import type {
   ComparedLine,
   ComparedMethod,
@@ -53,7 +54,7 @@ export interface MethodResult {
   memory: number | null;
   /** The number of samples. */
   samples: number | null;
-  /** The number of samples that did not converge. */
+  /** The number of samples that are lost (`isThere`). */
   lost: number | null;
   /**
    * The number of samples that the method's own authors would not accept
@@ -219,7 +220,7 @@ export async function runMethod(
     Object.assign(run, measures(mesh, run.curve.samples, reference));
     run.lostByOwnRule = curve.lostByOwnRule();
     run.logMaps = curve.logMaps();
-    // If less than half of the samples converged, the result is no curve.
+    // If more than half of the samples are lost, the result is no curve.
     run.ok = run.lost! <= run.samples! / 2;
     if (!run.ok) run.reason = `${run.lost} of ${run.samples} samples did not converge`;
     if (dragSteps > 0 && run.ok) {
@@ -289,7 +290,7 @@ export const nothingMeasured: MethodResult = {
 
 function measures(mesh: Mesh, samples: CurveSamples, reference: ReferenceSamples | null) {
   if (reference !== null) return new CurveMeter(mesh).measure(samples, reference);
-  const lost = samples.status.filter((status) => status !== 'converged').length;
+  const lost = samples.status.filter((status) => !isThere(status)).length;
   return { samples: samples.count, lost };
 }
 

@@ -1,5 +1,6 @@
 import type { Mesh } from '../mesh.js';
 import type { CurveSamples, LongWorkOptions } from '../types.js';
+import { isThere } from './status.js';
 import type { CurvePlan, MethodCurve } from './types.js';
 import { at, length, subtract, type Vector } from './vectors.js';
 
@@ -16,8 +17,8 @@ export interface DragMeasures {
   /** The number of steps in which a sample moved more than five times as far as the hand. */
   leaps: number;
   /**
-   * The largest move of a sample in a step, divided by the move of the hand; null if no sample
-   * converged (or lay on a bridge) both before and after a step.
+   * The largest move of a sample in a step, divided by the move of the hand; null if each
+   * sample was lost before or after each step.
    */
   most: number | null;
 }
@@ -26,8 +27,8 @@ export interface DragMeasures {
  * Drags the middle control point of a traced curve towards the next one, in `steps` even steps over
  * two mean edges or less. The drag follows the straightest geodesic that starts as the shortest
  * path between the two points. Traces the curve at each step, and leaves the point at the end. A
- * sample counts for a step if it converged or lay on a bridge, both before and after the step.
- * Rejects with the signal's reason.
+ * sample counts for a step if it was lost neither before nor after the step. Rejects with the
+ * signal's reason.
  */
 export async function measureDrag(
   curve: Pick<MethodCurve, 'movePoint' | 'trace' | 'samples'>,
@@ -72,9 +73,6 @@ function directionOf(polyline: Float64Array): Vector {
   }
   return subtract(at(polyline, last), from);
 }
-
-/** Whether a sample counts. Bridged samples count, since users see them like converged samples. */
-const isThere = (status: string) => status === 'converged' || status === 'bridged';
 
 function farthest(before: CurveSamples, after: CurveSamples): number | null {
   let most: number | null = null;

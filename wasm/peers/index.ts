@@ -9,6 +9,7 @@ export * from './drag.js';
 export * from './measure.js';
 export type { Peers } from './peers.js';
 export * from './ruler.js';
+export { isThere } from './status.js';
 export type * from './types.js';
 /** Vectors in space, for programs that measure and draw curves. */
 export * as vectors from './vectors.js';

@@ -1,6 +1,7 @@
 import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
 import type { CurveSamples } from '../types.js';
+import { isThere } from './status.js';
 import type { WeightTable } from './types.js';
 import { at, cross, dot, length, subtract, type Vector } from './vectors.js';
 
@@ -8,10 +9,10 @@ import { at, cross, dot, length, subtract, type Vector } from './vectors.js';
 export interface CurveMeasures {
   /** The number of samples. */
   samples: number;
-  /** The number of samples that did not converge. */
+  /** The number of samples that are lost (`isThere`). */
   lost: number;
   /**
-   * The distances, in mean edges, between corresponding samples that both converged. `samples` is
+   * The distances, in mean edges, between corresponding samples, neither of them lost. `samples` is
    * the number of these pairs.
    */
   deviation: { median: number; max: number; samples: number } | null;
@@ -21,8 +22,8 @@ export interface CurveMeasures {
    */
   turningNoise: number | null;
   /**
-   * The number of leaps. A leap is a step between two consecutive converged samples that is longer
-   * than a mean edge and more than five times as long as the steps before and after it. If
+   * The number of leaps. A leap is a step between two consecutive samples, neither of them lost, that
+   * is longer than a mean edge and more than five times as long as the steps before and after it. If
    * `measure` has affine averages, it compares the steps relative to the steps of these averages.
    */
   breaks: number;
@@ -33,7 +34,7 @@ export interface CurveMeasures {
   sharpestTurn: { degrees: number; t: number } | null;
 }
 
-/** A reference: the positions of its samples, and whether each sample converged. */
+/** A reference: the positions of its samples, and the status of each. */
 export interface ReferenceSamples extends Pick<CurveSamples, 'count' | 'position' | 'status'> {
   /** The energy of each sample, if it is known in closed form, in squared units of the mesh. */
   energy?: Float64Array;
@@ -99,17 +100,16 @@ export class CurveMeter {
     reference: ReferenceSamples,
     affine: ReferenceSamples | null = null,
   ): CurveMeasures {
-    const converged = (samples: ReferenceSamples, i: number) => samples.status[i] === 'converged';
     const distances: number[] = [];
     for (let i = 0; i < curve.count; i++) {
-      if (!converged(curve, i) || !converged(reference, i)) continue;
+      if (!isThere(curve.status[i]!) || !isThere(reference.status[i]!)) continue;
       const offset = subtract(at(curve.position, i), at(reference.position, i));
       distances.push(Math.sqrt(dot(offset, offset)) / this.#meanEdge);
     }
     distances.sort((a, b) => a - b);
     return {
       samples: curve.count,
-      lost: curve.status.filter((status) => status !== 'converged').length,
+      lost: curve.status.filter((status) => !isThere(status)).length,
       deviation:
         distances.length === 0
           ? null
@@ -125,12 +125,11 @@ export class CurveMeter {
   }
 
   #sharpestTurn(curve: CurveSamples): CurveMeasures['sharpestTurn'] {
-    const isThere = (i: number) => ['converged', 'bridged'].includes(curve.status[i]!);
     const least = 1e-6 * this.#meanEdge;
     let sharpest: CurveMeasures['sharpestTurn'] = null;
     for (const [begin, end] of segments(curve)) {
       for (let i = begin + 1; i + 1 < end; i++) {
-        if (![i - 1, i, i + 1].every(isThere)) continue;
+        if (![i - 1, i, i + 1].every((k) => isThere(curve.status[k]!))) continue;
         const here = at(curve.position, i);
         const before = subtract(here, at(curve.position, i - 1));
         const after = subtract(at(curve.position, i + 1), here);
@@ -164,7 +163,7 @@ export class CurveMeter {
 
   /** The distance from a sample to the next; null if one of the two samples is lost. */
   #step(curve: CurveSamples, i: number): number | null {
-    if (curve.status[i] !== 'converged' || curve.status[i + 1] !== 'converged') return null;
+    if (!isThere(curve.status[i]!) || !isThere(curve.status[i + 1]!)) return null;
     return stepOf(curve, i);
   }
 
@@ -191,7 +190,7 @@ export class CurveMeter {
   /** The angle by which the curve turns left at sample i; null if samples are lost or coincide. */
   #turningAngle(samples: ReferenceSamples, i: number, stride: number, normal: Vector) {
     for (const k of [i - stride, i, i + stride]) {
-      if (samples.status[k] !== 'converged') return null;
+      if (!isThere(samples.status[k]!)) return null;
     }
     const here = at(samples.position, i);
     const before = subtract(here, at(samples.position, i - stride));

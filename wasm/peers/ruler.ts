@@ -3,6 +3,7 @@ import type { Path } from '../path.js';
 import { pause } from '../prepare.js';
 import type { CurveSamples, LongWorkOptions, SurfacePoint } from '../types.js';
 import type { ReferenceSamples } from './measure.js';
+import { isThere } from './status.js';
 import type { CurvePlan } from './types.js';
 import { add, at, cross, dot, length, scaled, subtract, type Vector } from './vectors.js';
 
@@ -32,15 +33,15 @@ export interface RulerMeasures {
    */
   energy: { median: number; excess: number | null } | null;
   /**
-   * The number of measured samples. They are the converged samples among `rulerSamples` evenly
-   * spaced samples, or among all samples if the curve has fewer.
+   * The number of measured samples. They are the samples that are not lost among `rulerSamples`
+   * evenly spaced samples, or among all samples if the curve has fewer.
    */
   measured: number;
   /** The number of samples chosen for the measurement. */
   of: number;
 }
 
-/** The measurements at each of a ruler's samples; NaN if the sample did not converge. */
+/** The measurements at each of a ruler's samples; NaN if the sample is lost. */
 export interface RulerReading {
   /** The length of the weighted sum of log vectors, in units of the mesh. */
   residual: Float64Array;
@@ -126,7 +127,7 @@ export class Ruler {
     };
     for (const [k, i] of chosen.entries()) {
       signal?.throwIfAborted();
-      if (samples.status[i] === 'converged') {
+      if (isThere(samples.status[i]!)) {
         const { residual, energy } = this.#readAt(samples, i);
         reading.residual[k] = residual;
         reading.energy[k] = energy;

@@ -1,5 +1,5 @@
-import type { Mesh, SurfacePoint } from 'karcher';
-import { type Peers, vectors } from 'karcher/peers';
+import type { Mesh, Status, SurfacePoint } from 'karcher';
+import { isThere, type Peers, vectors } from 'karcher/peers';
 import { onTorus, torusRadii } from '../figures/surfaces';
 import type { LineId, Vector } from '../figures/types';
 import { NearestPoints } from '../lab/nearest';
@@ -14,8 +14,8 @@ export interface ConvergencePoint {
   triangles: number;
   meanEdge: number;
   /**
-   * The root mean square distance of the converged samples from the true curve; null if no sample
-   * converged.
+   * The root mean square distance of the samples from the true curve, without lost ones; null if all
+   * samples are lost.
    */
   error: number | null;
   lost: number;
@@ -161,14 +161,14 @@ export async function convergence(
 }
 
 function errorOf(
-  samples: { count: number; position: Float64Array; status: readonly string[] } | null,
+  samples: { count: number; position: Float64Array; status: readonly Status[] } | null,
   curve: SmoothCurve,
   truth: readonly Vector[],
 ): Pick<ConvergencePoint, 'error' | 'lost' | 'samples'> {
   if (!samples) return { error: null, lost: truth.length, samples: truth.length };
   let [squares, found] = [0, 0];
   for (let i = 0; i < samples.count; i++) {
-    if (samples.status[i] !== 'converged') continue;
+    if (!isThere(samples.status[i]!)) continue;
     const place = [...samples.position.slice(3 * i, 3 * i + 3)] as Vector;
     const off = subtract(curve.project(place), truth[i]!);
     squares += dot(off, off);

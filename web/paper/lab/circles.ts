@@ -1,5 +1,5 @@
 import type { CurveSamples, Path, SurfacePoint } from 'karcher';
-import { vectors } from 'karcher/peers';
+import { isThere, vectors } from 'karcher/peers';
 import type { LineId, LineResult, Vector } from '../figures/types';
 import { emptyLine } from './empty_line';
 import { alongPolyline, middle } from './nearest';
@@ -96,7 +96,7 @@ function arcsAt(task: Task, id: LineId, levels: 0 | 'auto'): LineResult {
     ...emptyLine(id),
     traceMs,
     samples: count,
-    lost: status.filter((name) => name !== 'converged' && name !== 'bridged').length,
+    lost: status.filter((name) => !isThere(name)).length,
     deviation: deviationOf(task, radius, on),
     turningNoise: turningNoiseOf(task, radius, [circle.path.polyline({ bits: 64 })]),
     polylines: [circle.path.polyline()],

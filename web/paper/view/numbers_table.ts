@@ -93,7 +93,7 @@ const curveColumns: Column[] = [
     ruler: '',
     head: 'lost\n',
     title:
-      'Samples that did not converge to 1e-6 h; “own”: those that its own authors would not have accepted either',
+      'Samples whose search did not converge to 1e-6 h, and that no bridge replaces; “own”: those that its own authors would not have accepted either',
     text: ({ lost, samples }) => (lost ? `${lost}/${samples}` : lost === 0 ? '0' : '–'),
     note: ({ lost, lostByOwnRule }) =>
       lost && lostByOwnRule !== null && lostByOwnRule !== lost ? `own ${lostByOwnRule}` : null,
