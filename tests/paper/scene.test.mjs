@@ -14,7 +14,7 @@ async function notingPeers() {
     karcher: peers.karcher,
     plan: (...values) => peers.plan(...values),
     prepare: (mesh, options, work) => {
-      const key = JSON.stringify([options.method, options.solver, options.rings]);
+      const key = JSON.stringify([options.method, options.solver, options.rings, options.levels]);
       prepared.push({ mesh, key, triangles: mesh.info.triangles });
       return peers.prepare(mesh, options, work);
     },
@@ -27,7 +27,7 @@ test('every method has a mesh of its own, and was run before on a small one', as
   const { lineStyles } = await load('figures/lines.ts');
   const { noting, prepared } = await notingPeers();
   const scene = await Scene.make(noting, spec);
-  const chosen = ['paperGraph2', 'paper', 'karcher'];
+  const chosen = ['paperGraph2', 'paper', 'karcher', 'bSurf', 'leveled', 'bridged'];
   for (const id of chosen) await scene.method(lineStyles[id].options, {});
   const own = prepared.filter(({ triangles }) => triangles === scene.mesh.info.triangles);
   assert.equal(own.length, chosen.length);
@@ -41,6 +41,29 @@ test('every method has a mesh of its own, and was run before on a small one', as
   await scene.method(lineStyles.paper.options, {});
   assert.equal(prepared.length, count);
   await scene.dispose();
+});
+
+test('the engine’s curves take the time of all stages but the joining paths', async (t) => {
+  const { Lab } = await load('lab/lab.ts');
+  const peers = await loadPeers();
+  const lab = new Lab(peers);
+  const lines = ['bSurf', 'leveled', 'bridged'];
+  const curve = { kind: 'bspline' };
+  const panel = { id: 'a', title: '', mesh: spec, points: 'a', curve, lines, samples: 9 };
+  const places = [0, 0.3, 0.6, 0.9, 1.2].map((u) => [Math.cos(u), Math.sin(u), 0.2 * u]);
+  const { points } = await lab.place(spec, places);
+  const torus = peers.karcher.shape(spec.name, spec.triangles);
+  // Each reading of this clock takes a millisecond.
+  let readings = 0;
+  t.mock.method(performance, 'now', () => ++readings);
+  for (const [k, levels] of ['limit', 'auto', 0].entries()) {
+    const expected = torus.curve({ kind: 'bspline', points, samples: 9, levels });
+    const { polygon, fields, trace, bridge } = expected.times();
+    const [{ id, traceMs }] = await lab.lines({ ...panel, lines: [lines[k]] }, places);
+    assert.equal(traceMs, polygon + fields + trace + bridge, id);
+    expected.dispose();
+  }
+  torus.dispose();
 });
 
 test('Table 1 measures no code that runs for the first time', async () => {
@@ -61,7 +84,7 @@ test('Table 1 measures no code that runs for the first time', async () => {
   assert.equal(triangles.length, methods.length);
   const keys = [...new Set(prepared.map(({ key }) => key))];
   // Both methods have exact distances for two points.
-  assert.deepEqual(keys, ['["paper","exact",null]', '["karcher","exact",null]']);
+  assert.deepEqual(keys, ['["paper","exact",null,null]', '["karcher","exact",null,null]']);
   for (const wanted of keys) {
     const [first] = prepared.filter(({ key }) => key === wanted);
     assert.notEqual(first.triangles, triangles[0], wanted);

@@ -212,6 +212,27 @@ for (const [name, levels] of [
       method.dispose();
     });
 
+    test('takes the time of all stages but the paths that join its samples', async (t) => {
+      const method = await peers.prepare(plane, { method: name });
+      const curve = method.curve(peers.plan(points, 9));
+      // Each reading of this clock takes a millisecond.
+      let readings = 0;
+      t.mock.method(performance, 'now', () => ++readings);
+      const expected = plane.curve({ kind: 'bspline', points, samples: 9, levels });
+      const time = () => {
+        const { join, ...others } = expected.times();
+        assert.ok(join > 0);
+        return Object.values(others).reduce((sum, one) => sum + one);
+      };
+      assert.equal(await curve.trace(), time());
+      curve.movePoint(2, { vertex: 71 });
+      expected.movePoint(2, { vertex: 71 });
+      assert.equal(curve.finish(), time());
+      assert.equal(curve.finish(), 0);
+      method.dispose();
+      expected.dispose();
+    });
+
     test('can be disposed of, and checks its arguments', async () => {
       const method = await peers.prepare(plane, { method: name });
       const curve = method.curve(peers.plan(points, 9));
@@ -251,12 +272,13 @@ test('options are accepted only by methods that use them', async () => {
     { method: 'vectorHeat', seeds: 'authors' },
     { method: 'bSurf', seeds: 'heaviest' },
     { method: 'leveled', seeds: 'authors' },
+    { method: 'karcher', levels: 0 },
     { method: 'karcher', star: 'ring' },
     { method: 'weightedAverages', star: 'wide' },
   ]) {
     await assert.rejects(peers.prepare(plane, options), {
       code: 'badArgument',
-      message: /the option '(seeds|star)' is for the method/,
+      message: /the option '(seeds|star|levels)' is for the method/,
     });
   }
 });

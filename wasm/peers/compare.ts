@@ -132,6 +132,7 @@ export function solverWords(options: MethodOptions): string {
     case 'bSurf':
       return 'averages of two points along geodesics';
     case 'leveled':
+      if (options.levels === 0) return 'fast distances; bridges over jumps and lost samples';
       return 'near fields of a refined control polygon';
     case 'paper': {
       const faces = star === 'ring' ? 'around a vertex' : 'around a vertex and beyond';

@@ -2,7 +2,8 @@ import { checkInteger } from '../check.js';
 import type { Curve } from '../curve.js';
 import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
-import type { CurveSamples, PointLike } from '../types.js';
+import type { CurveLevels, CurveSamples, CurveTimes, PointLike } from '../types.js';
+import { isThere } from './status.js';
 import type {
   ComparedCenter,
   ComparedLine,
@@ -49,7 +50,8 @@ export class EngineMethod implements PreparedCurves {
 
   curve(plan: CurvePlan): MethodCurve {
     if (this.#disposed) throw disposedOf('the method');
-    const curve = new EngineCurve(this.#mesh, this.#method, plan, (disposed) => {
+    const { levels = engineMethods[this.#method].levels } = this.options;
+    const curve = new EngineCurve(this.#mesh, this.#method, levels, plan, (disposed) => {
       this.#curves.delete(disposed);
     });
     this.#curves.add(curve);
@@ -71,7 +73,7 @@ const disposedOf = (what: string) => new KarcherError('disposed', `${what} has b
 
 class EngineCurve implements MethodCurve {
   readonly #mesh: Mesh;
-  readonly #method: EngineMethodName;
+  readonly #levels: CurveLevels;
   readonly #plan: CurvePlan;
   readonly #moved = new Map<number, PointLike>();
   readonly #forget: (curve: EngineCurve) => void;
@@ -82,6 +84,7 @@ class EngineCurve implements MethodCurve {
   constructor(
     mesh: Mesh,
     method: EngineMethodName,
+    levels: CurveLevels,
     plan: CurvePlan,
     forget: (curve: EngineCurve) => void,
   ) {
@@ -90,7 +93,7 @@ class EngineCurve implements MethodCurve {
       throw new KarcherError('badArgument', `${name} is a Bezier curve or a B-spline only`);
     }
     this.#mesh = mesh;
-    this.#method = method;
+    this.#levels = levels;
     this.#plan = plan;
     this.#forget = forget;
   }
@@ -117,19 +120,27 @@ class EngineCurve implements MethodCurve {
 
   finish(): number {
     this.#check();
-    const start = performance.now();
+    let milliseconds = 0;
+    this.#fieldsMs = 0;
+    const count = ({ polygon, fields, trace, bridge }: CurveTimes) => {
+      milliseconds += polygon + fields + trace + bridge;
+      this.#fieldsMs += fields;
+    };
     if (this.#curve) {
-      for (const [i, point] of this.#moved) this.#curve.movePoint(i, point);
+      for (const [i, point] of this.#moved) {
+        this.#curve.movePoint(i, point);
+        count(this.#curve.times());
+      }
     } else {
       const { points, table, shape } = this.#plan;
       const all = points.map((point, i) => this.#moved.get(i) ?? point);
       const samples = table.t.length;
-      const { levels } = engineMethods[this.#method];
+      const levels = this.#levels;
       this.#curve = this.#mesh.curve({ ...shape!, points: all, samples, levels });
+      count(this.#curve.times());
     }
     this.#moved.clear();
-    this.#fieldsMs = this.#curve.times().fields;
-    return performance.now() - start;
+    return milliseconds;
   }
 
   async trace(): Promise<number> {
@@ -146,7 +157,7 @@ class EngineCurve implements MethodCurve {
   }
 
   lostByOwnRule(): number {
-    return this.samples().status.filter((status) => status !== 'converged').length;
+    return this.samples().status.filter((status) => !isThere(status)).length;
   }
 
   logMaps(): null {

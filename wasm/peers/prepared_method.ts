@@ -45,6 +45,7 @@ const methodOptionNames = namesOf<MethodOptions>({
   solver: true,
   rings: true,
   star: true,
+  levels: true,
   seeds: true,
   delaunay: true,
   adaptive: true,
@@ -163,6 +164,7 @@ function engineOptions(options: MethodOptions): EngineMethodOptions {
   const { solver, rings, star } = options;
   checkMeant('seeds', options.seeds, ours, "'paper' and 'karcher'");
   checkMeant('star', options.star, method === 'paper', "'paper'");
+  checkMeant('levels', options.levels, method === 'leveled', "'leveled'");
   return {
     method,
     field: engineFieldOptions(ours ? { method, solver, rings, star } : {}),

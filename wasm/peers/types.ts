@@ -1,6 +1,7 @@
 import type { Path } from '../path.js';
 import type {
   CenterOfMass,
+  CurveLevels,
   CurveSamples,
   LongWorkOptions,
   PointLike,
@@ -45,6 +46,11 @@ export interface MethodOptions {
    * a control point with all the weight, as at the ends of a Bezier curve, is itself the sample.
    */
   seeds?: 'heaviest' | 'authors';
+  /**
+   * For `leveled`: the levels, `auto` by default. At level 0 a curve is that of `karcher`, with the
+   * bridges of the engine.
+   */
+  levels?: CurveLevels;
   /** For the heat methods: whether to use the intrinsic Delaunay triangulation of the surface. */
   delaunay?: boolean;
   /** For `affineHeat`: whether to use the frame that is transported from the source. */
@@ -95,7 +101,10 @@ export interface MethodCurve {
   movePoint(i: number, point: PointLike): void;
   /** Starts the searches of each segment at a point of the surface. */
   startAt(point: PointLike): void;
-  /** Computes all missing fields and samples in one call. Returns the duration in milliseconds. */
+  /**
+   * Computes all missing fields and samples in one call. Returns the duration in milliseconds,
+   * without the paths that join the samples.
+   */
   finish(): number;
   /**
    * Does the same as `finish` in slices. The returned duration excludes the pauses between the

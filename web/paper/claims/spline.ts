@@ -1,4 +1,4 @@
-import type { CurveSamples, Mesh, SurfacePoint } from 'karcher';
+import type { CurveSamples, Mesh } from 'karcher';
 import { CurveMeter, type CurvePlan, type Peers, type Ruler, runMethod } from 'karcher/peers';
 import { methodOf } from '../figures/lines';
 import type { LineId } from '../figures/types';
@@ -10,24 +10,15 @@ export interface Spline {
   of: number;
 }
 
-/** The B-spline that a method computes. The curve of `leveled`, our default, chooses its levels. */
+/** The B-spline that a method computes. */
 export async function splineBy(
   peers: Peers,
   mesh: Mesh,
   plan: CurvePlan,
   id: LineId,
 ): Promise<Spline> {
-  if (id !== 'leveled') {
-    const run = await runMethod(peers, mesh, plan, methodOf(id), null, { once: true });
-    return { samples: run.curve?.samples ?? null, lost: run.lost ?? 0, of: run.samples ?? 0 };
-  }
-  const points = [...plan.points] as SurfacePoint[];
-  const curve = mesh.curve({ kind: 'bspline', points, samples: plan.table.t.length });
-  const samples = curve.samples();
-  curve.dispose();
-  const isThere = (status: string) => status === 'converged' || status === 'bridged';
-  const lost = samples.status.filter((status) => !isThere(status)).length;
-  return { samples, lost, of: samples.count };
+  const run = await runMethod(peers, mesh, plan, methodOf(id), null, { once: true });
+  return { samples: run.curve?.samples ?? null, lost: run.lost ?? 0, of: run.samples ?? 0 };
 }
 
 /**

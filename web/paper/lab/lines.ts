@@ -1,6 +1,7 @@
-import type { CurveLevels, CurveOptions, CurveSamples, LongWorkOptions, PointLike } from 'karcher';
+import type { CurveSamples, LongWorkOptions } from 'karcher';
 import {
   type DragMeasures,
+  isThere,
   KarcherError,
   type MethodCurve,
   type MethodOptions,
@@ -67,21 +68,7 @@ export async function dragLine(
   const { options } = lineStyles[id];
   const plan = planOf(task);
   const { mesh } = task.scene;
-  const levels = engineLevels[id];
   try {
-    if (levels !== undefined) {
-      const curve = mesh.curve(engineShape(task, levels));
-      const dragged = {
-        movePoint: (i: number, point: PointLike) => curve.movePoint(i, point),
-        trace: async () => 0,
-        samples: () => curve.samples(),
-      };
-      try {
-        return await measureDrag(dragged, mesh, plan, dragSteps, work);
-      } finally {
-        curve.dispose();
-      }
-    }
     if (!options) return null;
     const curve = (await task.scene.method(options, work)).curve(plan);
     try {
@@ -139,42 +126,6 @@ function drawn(
   return { polylines: [path.polyline()], status: [unconverged], marker: null };
 }
 
-/** Lines that are the engine's curves, with their levels. */
-const engineLevels: Partial<Record<LineId, CurveLevels>> = { bridged: 0, leveled: 'auto' };
-
-function engineShape({ points, curve, samples }: Task, levels: CurveLevels): CurveOptions {
-  const shape = { points: [...points], samples, levels };
-  if (curve.kind === 'rational') return { ...shape, kind: 'rational', weights: curve.weights };
-  if (curve.kind === 'bspline' || curve.kind === 'bezier') return { ...shape, kind: curve.kind };
-  throw new KarcherError('badArgument', 'only splines have levels');
-}
-
-/** Our curve from the engine. */
-async function engineCurve(
-  task: Task,
-  id: LineId,
-  reference: () => Promise<ReferenceSamples>,
-): Promise<TracedLine> {
-  const { scene } = task;
-  const truth = await reference();
-  const curve = scene.mesh.curve(engineShape(task, engineLevels[id]!));
-  const own = curve.samples();
-  const { fields, trace, bridge } = curve.times();
-  const lost = own.status.filter((name) => name !== 'converged' && name !== 'bridged').length;
-  const line = {
-    ...emptyLine(id),
-    ...scene.meter.measure(own, truth, affineSamples(task)),
-    traceMs: fields + trace + bridge,
-    samples: own.count,
-    lost,
-    lostByOwnRule: lost,
-    polylines: [curve.polyline()],
-    status: [curve.unconverged()],
-  };
-  curve.dispose();
-  return { line, samples: own };
-}
-
 const makers: Partial<Record<LineId, Maker>> = {
   truth(task, id) {
     const samples = affineSamples(task);
@@ -196,7 +147,7 @@ const makers: Partial<Record<LineId, Maker>> = {
     try {
       const traceMs = await curve.trace(work);
       const samples = curve.samples();
-      const lost = samples.status.filter((name) => name !== 'converged').length;
+      const lost = samples.status.filter((status) => !isThere(status)).length;
       const counts = { samples: samples.count, lost, lostByOwnRule: lost };
       const times = { prepareMs: method.prepareMs, traceMs };
       return { line: { ...emptyLine(id), ...counts, ...times, ...drawn(task, curve) }, samples };
@@ -204,15 +155,6 @@ const makers: Partial<Record<LineId, Maker>> = {
       curve.dispose();
     }
   },
-
-  /**
-   * Our curve without levels. Each sample is a center of mass of all control points of its segment.
-   * A bridge replaces samples for which the search finds no center.
-   */
-  bridged: engineCurve,
-
-  /** Our default, as in the editor: levels refine the control polygon as often as necessary. */
-  leveled: engineCurve,
 
   /** Paths from the center of mass to the points. */
   async spokes(task, id, reference) {
