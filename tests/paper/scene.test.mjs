@@ -66,6 +66,28 @@ test('the engine’s curves take the time of all stages but the joining paths', 
   torus.dispose();
 });
 
+test('lines without a method are timed after a run on a small mesh, too', async (t) => {
+  const { Lab } = await load('lab/lab.ts');
+  const peers = await loadPeers();
+  const shape = peers.karcher.shape.bind(peers.karcher);
+  const made = [];
+  t.mock.method(peers.karcher, 'shape', (name, triangles) => {
+    made.push(triangles);
+    return shape(name, triangles);
+  });
+  const lab = new Lab(peers);
+  const curve = { kind: 'circle', arcs: 7 };
+  const panel = { id: 'a', title: '', mesh: spec, points: 'a', curve, samples: 9 };
+  const places = [0, 0.4].map((u) => [1.4 * Math.cos(u), 1.4 * Math.sin(u), 0]);
+  await lab.place(spec, places);
+  for (const id of ['exactPath', 'circleArcs', 'circleDefault', 'isolineLinear', 'isolineExact']) {
+    made.length = 0;
+    const [line] = await lab.lines({ ...panel, lines: [id] }, places);
+    assert.ok(line.ok && line.traceMs > 0, `${id}: ${line.reason}`);
+    assert.deepEqual(made, [500], id);
+  }
+});
+
 test('Table 1 measures no code that runs for the first time', async () => {
   const { runTable } = await load('table/run.ts');
   const { smallRows } = await load('table/rows.ts');

@@ -5,6 +5,7 @@ import { emptyLine } from './empty_line';
 import { alongPolyline, middle } from './nearest';
 import type { Scene } from './scene';
 import type { Task } from './task';
+import { timed } from './timed';
 
 const { add, at, cross, distance, dot } = vectors;
 
@@ -87,9 +88,9 @@ function turningNoiseOf(
 function arcsAt(task: Task, id: LineId, levels: 0 | 'auto'): LineResult {
   const radius = radiusOf(task);
   const arcs = task.curve.kind === 'circle' ? task.curve.arcs : 7;
-  const start = performance.now();
-  const circle = task.scene.mesh.circle(task.points[0]!, { radius, arcs, samples: 16, levels });
-  const traceMs = performance.now() - start;
+  const [circle, traceMs] = timed(task, radius, (mesh, center, _, radius) =>
+    mesh.circle(center, { radius, arcs, samples: 16, levels }),
+  );
   const { count, face, bary, status } = circle.samples;
   const on = Array.from({ length: count }, (_, i) => ({ face: face[i]!, bary: at(bary, i) }));
   return {
@@ -111,11 +112,11 @@ export const circleDefault = (task: Task, id: LineId): LineResult => arcsAt(task
 
 /** The isolines of the distance from the first point. */
 function isolines(task: Task, id: LineId, type: 'exact' | 'linear'): LineResult {
-  const { mesh, nearest } = task.scene;
+  const { nearest } = task.scene;
   const radius = radiusOf(task);
-  const start = performance.now();
-  const lines = mesh.isolines(task.points[0]!, { radius, type });
-  const traceMs = performance.now() - start;
+  const [lines, traceMs] = timed(task, radius, (mesh, center, _, radius) =>
+    mesh.isolines(center, { radius, type }),
+  );
   if (lines.length === 0) return { ...emptyLine(id), ok: false, reason: 'no face is crossed' };
   const polylines = lines.map((line) => line.polyline({ bits: 64 }));
   const on = polylines.flatMap((polyline) => {

@@ -15,6 +15,7 @@ import type { LineId, LineResult, Vector } from '../figures/types';
 import { circleArcs, circleDefault, isolineExact, isolineLinear } from './circles';
 import { emptyLine } from './empty_line';
 import { affineSamples, planOf, type Task } from './task';
+import { timed } from './timed';
 
 const { add, at, cross, distance, length, scaled, subtract } = vectors;
 
@@ -134,9 +135,7 @@ const makers: Partial<Record<LineId, Maker>> = {
   },
 
   exactPath(task, id) {
-    const start = performance.now();
-    const path = task.scene.mesh.shortestPath(task.points[0]!, task.points[1]!);
-    const traceMs = performance.now() - start;
+    const [path, traceMs] = timed(task, 0, (mesh, from, to) => mesh.shortestPath(from, to));
     return { ...emptyLine(id), traceMs, polylines: [path.polyline()] };
   },
 
