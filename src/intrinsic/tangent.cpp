@@ -1,8 +1,11 @@
 #include "intrinsic/tangent.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "intrinsic/strip_path.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -14,6 +17,42 @@ int cornerAt(const TriangleMesh& mesh, int vertex, int face) {
   return h;
 }
 
+/// The vector from point `from` of a path toward point `first`, in the frame of a face of both. The
+/// direction of a short vector is known only up to rounding over its length. So the vector extends
+/// to points of the next faces, unfolded, as long as the path goes straight on within this error,
+/// and until the vector is as long as the face's longest edge. `stride` leads to the next point.
+Vec2 vectorOnward(const Geometry& geometry, const SurfacePath& path, int from, int first,
+                  int stride, int face) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  Vec2 vector = stepInFace(geometry, face, path.points[from], path.points[first]);
+  double size = 0;
+  for (int h = 3 * face; h < 3 * face + 3; ++h) size = std::max(size, geometry.edgeLength[h]);
+  const double rounding = kStepRounding * size;
+  Vec2 toFirst = Vec2::UnitX();  // the rotation from the frame of `current` to that of `face`
+  int current = face;
+  int i = first;
+  for (int k = first + stride; k >= 0 && k < path.points.count() && vector.norm() < size;
+       i = k, k += stride) {
+    const PointLocation at = locate(mesh, path.points[i]);
+    if (at.simplex == Simplex::kVertex) break;
+    const int next = commonFace(mesh, path.points[i], path.points[k]);
+    if (next < 0) break;
+    if (next != current) {
+      if (at.simplex != Simplex::kEdge) break;
+      const int h = faceOf(at.halfedge) == next ? at.halfedge : mesh.twin[at.halfedge];
+      if (faceOf(h) != next || faceOf(mesh.twin[h]) != current) break;
+      toFirst = rotate(toFirst, acrossEdge(geometry, h, Vec2::UnitX()));
+      current = next;
+    }
+    const Vec2 step = rotate(toFirst, stepInFace(geometry, next, path.points[i], path.points[k]));
+    const bool isStraight = vector.dot(step) >= 0 && std::abs(cross(vector, step)) <=
+                                                         rounding * (vector.norm() + step.norm());
+    if (!isStraight) break;
+    vector += step;
+  }
+  return vector;
+}
+
 /// The log vector of a path at its end point `from`, 0 or the last index. `stride` leads to the
 /// next point: 1 or -1.
 Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int stride) {
@@ -23,8 +62,8 @@ Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int s
     if (path.lengths[i] == path.lengths[from]) continue;
     const int face = commonFace(mesh, start, path.points[i]);
     if (face < 0) break;
-    const Vec2 step = stepInFace(geometry, face, start, path.points[i]);
-    Vec2 vector = path.length() * step.normalized();
+    const Vec2 onward = vectorOnward(geometry, path, from, i, stride, face);
+    const Vec2 vector = path.length() * onward.normalized();
     const PointLocation at = locate(mesh, start);
     if (at.simplex == Simplex::kVertex) {
       const double direction = directionAtTail(geometry, cornerAt(mesh, at.vertex, face), vector);

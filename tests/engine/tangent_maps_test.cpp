@@ -231,6 +231,30 @@ TEST(TangentMaps, AVectorInTheFrameOfAVertexGoesToSpaceAndBack) {
   }
 }
 
+TEST(TangentMaps, LogVectorsBesideAVertexAreDifferences) {
+  // The path's first step, across a corner, is as short as the point is near to the vertex.
+  const TriangleMesh mesh = planeGrid(8, 8);
+  const Geometry geometry = buildGeometry(mesh);
+  FindPathWorkspace workspace;
+  const uint64_t seed = 20261130;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (const double near : {1e-10, 1e-9, 1e-7, 1e-4}) {
+    for (int i = 0; i < 40; ++i) {
+      const int face = static_cast<int>(random.uniform(0, mesh.faceCount()));
+      const double u = near * random.uniform(0, 1);
+      const double v = near * random.uniform(0, 1);
+      const SurfacePoint from = checkedPoint(mesh, face, Vec3(1 - u - v, u, v));
+      const SurfacePoint to = somewhere(mesh, random);
+      const Vec3 vector = position(mesh, to) - position(mesh, from);
+      const LogMapped log = logMap(geometry, from, to, Vec2::Zero(), workspace);
+      EXPECT_LT((tangentToSpace(geometry, from, log.vector) - vector).norm(), 1e-13) << near;
+      const LogMapped back = logMap(geometry, to, from, Vec2::Zero(), workspace);
+      EXPECT_LT((tangentToSpace(geometry, to, back.vector) + vector).norm(), 1e-13) << near;
+    }
+  }
+}
+
 TEST(TangentMaps, MirrorOnThePlaneReflects) {
   const TriangleMesh mesh = planeGrid(10, 10);
   const Geometry geometry = buildGeometry(mesh);
@@ -247,6 +271,22 @@ TEST(TangentMaps, MirrorOnThePlaneReflects) {
     EXPECT_LT((position(mesh, image.point) - Vec3(10 - here.x(), here.y(), 0)).norm(), 1e-9);
     const Vec3 reflected = tangentToSpace(geometry, image.point, image.direction);
     EXPECT_LT((reflected - Vec3(-way.x(), way.y(), 0)).norm(), 1e-9);
+  }
+}
+
+TEST(TangentMaps, MirrorInALineThroughVerticesReflects) {
+  // The foot of the perpendicular from a vertex is a vertex, too.
+  const TriangleMesh mesh = planeGrid(8, 8);
+  const Geometry geometry = buildGeometry(mesh);
+  FindPathWorkspace workspace;
+  const SurfacePath line = pathBetween(geometry, nearestPoint(mesh, Vec3(0, 0, 0)),
+                                       nearestPoint(mesh, Vec3(8, 8, 0)), workspace);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 here = mesh.positions[v];
+    const ExpMapped image =
+        mirrored(geometry, line, nearestPoint(mesh, here), Vec2::Zero(), workspace);
+    EXPECT_LT((position(mesh, image.point) - Vec3(here.y(), here.x(), 0)).norm(), 1e-12)
+        << here.transpose();
   }
 }
 
