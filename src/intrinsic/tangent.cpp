@@ -91,6 +91,15 @@ Vec2 logBack(const Geometry& geometry, const SurfacePath& path) {
   return logAtEnd(geometry, path, path.points.count() - 1, -1);
 }
 
+double directionAt(const Geometry& geometry, int vertex, const Vec2& vector) {
+  const double direction = angleOf(vector) / geometry.angleScale[vertex];
+  if (!geometry.mesh->onBoundary[vertex]) return direction;
+  const double total = geometry.totalAngle[vertex];
+  const double turned = direction < 0 ? direction + 2 * kPi : direction;
+  if (turned <= total) return turned;
+  return turned - total < 2 * kPi - turned ? total : 0;
+}
+
 bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
               SurfacePath& path) {
   const TriangleMesh& mesh = *geometry.mesh;

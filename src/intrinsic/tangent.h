@@ -17,6 +17,10 @@ Vec2 logAlong(const Geometry& geometry, const SurfacePath& path);
 /// The log vector of the reversed path, at the path's end.
 Vec2 logBack(const Geometry& geometry, const SurfacePath& path);
 
+/// The unscaled direction of a vector in the frame of a vertex. At the boundary it is from 0 to the
+/// total angle: for a vector that points off the surface, the direction of the nearer side.
+double directionAt(const Geometry& geometry, int vertex, const Vec2& vector);
+
 /// The straightest geodesic from a point along a vector of its tangent plane. It ends where it
 /// meets the boundary.
 SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector);

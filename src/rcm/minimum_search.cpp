@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "intrinsic/tangent.h"
 #include "mesh/positions.h"
 #include "rcm/center_search.h"
 #include "rcm/deepest_zero.h"
@@ -27,18 +28,6 @@ bool areApart(const Geometry& geometry, const SurfacePoint& a, const SurfacePoin
   return (position(mesh, a) - position(mesh, b)).norm() > kNearEdge * geometry.meanEdge;
 }
 
-/// The corner at a vertex into which the direction `down` points. If `down` points off the surface,
-/// the result is the corner at the nearer side of the boundary.
-int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
-  const double total = geometry.totalAngle[vertex];
-  double direction = std::atan2(down.y(), down.x()) / geometry.angleScale[vertex];
-  if (geometry.mesh->onBoundary[vertex]) {
-    if (direction < 0) direction += 2 * kPi;
-    if (direction > total) direction = direction - total < 2 * kPi - direction ? total : 0;
-  }
-  return cornerOfDirection(geometry, vertex, direction).halfedge;
-}
-
 /// The same start, in a face that does not depend on the numbering of faces: if the start lies on
 /// an edge or at a vertex, this is the face into which K decreases.
 SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
@@ -47,7 +36,8 @@ SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoi
   const PointLocation location = locate(mesh, start);
   if (location.simplex == Simplex::kVertex) {
     const Vec2 down = -fields.atVertex(location.vertex, weights);
-    return edgePoint(cornerDownhill(geometry, location.vertex, down), 0);
+    const double direction = directionAt(geometry, location.vertex, down);
+    return edgePoint(cornerOfDirection(geometry, location.vertex, direction).halfedge, 0);
   }
   if (location.simplex == Simplex::kEdge) {
     const int h = location.halfedge;

@@ -38,37 +38,42 @@ Array<Vec2> logVectors(const Geometry& geometry, const Array<SurfacePoint>& poin
   return vectors;
 }
 
-/// The largest pull of points in a direction at a vertex, as a vector in this direction; 0 if no
-/// pull is positive. A point at the angle a from the direction pulls with its weight times
-/// cos(min(a, pi)), where a is an angle on the surface. `pulls` are vectors as long as the weights,
-/// in the frame of the vertex, which scales angles by `scale`.
-Vec2 largestPull(const Array<Vec2>& pulls, double scale) {
+/// The weight of a point beside a vertex, and the direction in which the point is seen from there,
+/// as an angle on the surface.
+struct Pull {
+  double weight;
+  double direction;
+};
+
+/// The largest pull of points in a direction at a vertex, or a pull of 0 if no pull is positive. A
+/// point at the angle a from the direction pulls with its weight times cos(min(a, pi)). `total` is
+/// the sum of the angles around the vertex. At the boundary, where `isOpen`, directions are from 0
+/// to the total, and angles are measured inside this range.
+Pull largestPull(const Array<Pull>& pulls, double total, bool isOpen) {
   struct Change {
     double direction;
     Vec2 sum;
     double rest;
   };
-  const double total = 2 * kPi / scale;
-  const double reach = std::min(kPi, total / 2);
+  const double reach = isOpen ? kPi : std::min(kPi, total / 2);
   // From one of the following directions to the next, the pull is sum.dot(unitVector(direction)) +
   // rest.
   Array<Change> changes;
   double rest = 0;
-  for (const Vec2& pull : pulls) {
-    const double weight = pull.norm();
-    rest -= weight;
+  for (const Pull& pull : pulls) {
+    rest -= pull.weight;
     for (const int turn : {0, 1}) {
-      const double direction = angleOf(pull) / scale + turn * total;
-      const Vec2 sum = weight * unitVector(direction);
-      changes.push_back({std::max(0.0, direction - reach), sum, weight});
-      changes.push_back({std::max(0.0, direction + reach), -sum, -weight});
+      if (isOpen && turn > 0) continue;
+      const double direction = pull.direction + turn * total;
+      const Vec2 sum = pull.weight * unitVector(direction);
+      changes.push_back({std::max(0.0, direction - reach), sum, pull.weight});
+      changes.push_back({std::max(0.0, direction + reach), -sum, -pull.weight});
     }
   }
   std::sort(changes.begin(), changes.end(),
             [](const Change& a, const Change& b) { return a.direction < b.direction; });
   Vec2 sum = Vec2::Zero();
-  double most = 0;
-  double best = 0;
+  Pull most{0, 0};
   for (int i = 0; i < changes.count() && changes[i].direction < total; ++i) {
     sum += changes[i].sum;
     rest += changes[i].rest;
@@ -79,12 +84,26 @@ Vec2 largestPull(const Array<Vec2>& pulls, double scale) {
     if (turn < 0) turn += 2 * kPi;
     for (const double direction : {from, std::min(from + turn, to)}) {
       const double pull = sum.dot(unitVector(direction)) + rest;
-      if (pull <= most) continue;
-      most = pull;
-      best = direction;
+      if (pull > most.weight) most = {pull, direction};
     }
   }
-  return most * unitVector(scale * best);
+  return most;
+}
+
+/// The largest pull of points in a direction at a place, as a vector in this direction. `pulls` are
+/// vectors as long as the weights, in the tangent plane of the place.
+Vec2 largestPull(const Geometry& geometry, const SurfacePoint& place, const Array<Vec2>& pulls) {
+  const PointLocation at = locate(*geometry.mesh, place);
+  const bool isVertex = at.simplex == Simplex::kVertex;
+  const bool isOpen = isVertex && geometry.mesh->onBoundary[at.vertex];
+  const double scale = isVertex ? geometry.angleScale[at.vertex] : 1;
+  if (!isOpen && scale == 1) return std::accumulate(pulls.begin(), pulls.end(), Vec2(0, 0));
+  Array<Pull> seen;
+  for (const Vec2& pull : pulls) {
+    seen.push_back({pull.norm(), directionAt(geometry, at.vertex, pull)});
+  }
+  const Pull most = largestPull(seen, geometry.totalAngle[at.vertex], isOpen);
+  return most.weight * unitVector(scale * most.direction);
 }
 
 /// The step of Vardi and Zhang from one of the points: 0 if the point is a local median, or else a
@@ -105,10 +124,7 @@ Vec2 stepFrom(const Geometry& geometry, const Array<SurfacePoint>& points,
       inverse += weights[i] / length;
     }
   }
-  const PointLocation place = locate(*geometry.mesh, points[at]);
-  const double scale = place.simplex == Simplex::kVertex ? geometry.angleScale[place.vertex] : 1;
-  const Vec2 pull = scale == 1 ? std::accumulate(pulls.begin(), pulls.end(), Vec2(0, 0))
-                               : largestPull(pulls, scale);
+  const Vec2 pull = largestPull(geometry, points[at], pulls);
   const double most = pull.norm();
   if (most <= held) return Vec2::Zero();
   return (1 - held / most) / inverse * pull;

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "distance_meshes.h"
 #include "generators/random_points.h"
 #include "intrinsic/tangent.h"
 #include "mesh/error.h"
@@ -128,6 +129,28 @@ TEST(Statistics, AtACubesCornerTheMedianMovesAlongAnEdge) {
     // The pull along an edge is 1 + 2 cos(90 degrees).
     const RobustMean heavy = median(sets, points, {1.01, 1, 1, 1}, from);
     EXPECT_NEAR(heavy.value, 3, 1e-6) << "from " << start;
+  }
+}
+
+TEST(Statistics, AtACornerOfTheBoundaryThatPointsInwardsTheMedianMovesAlongTheBoundary) {
+  // Seen from the corner, the first two points are three quarters of a turn apart, and the third is
+  // at 135 degrees from both.
+  Surface surface(lShape(20));
+  FieldSets sets(surface);
+  const Array<Vec3> places = {Vec3(20, 21, 0), Vec3(21, 20, 0), Vec3(6, 6, 0), Vec3(20, 20, 0)};
+  const Array<SurfacePoint> points = pointsAt(surface.mesh(), places);
+  RobustOptions from;
+  for (const int start : {0, 1, 2, 3, -1}) {
+    from.start = start < 0 ? std::nullopt : std::optional(points[start]);
+    // Towards the first point the others pull with 1 - 0.5 - 0.1 / sqrt(2) = 0.43.
+    const RobustMean found = median(sets, points, {1, 0.5, 0.1, 0.35}, from);
+    EXPECT_TRUE(found.converged) << "from " << start;
+    EXPECT_NEAR(found.value, 0.5 * 2 + 0.1 * (places[2] - places[0]).norm() + 0.35, 1e-6)
+        << "from " << start;
+    // The sum of the pulls as vectors would exceed this weight, but points off the surface.
+    const RobustMean heavy = median(sets, points, {1, 0.5, 0.1, 0.6}, from);
+    EXPECT_TRUE(heavy.converged) << "from " << start;
+    EXPECT_LT((position(surface.mesh(), heavy.point) - places[3]).norm(), 1e-9) << "from " << start;
   }
 }
 

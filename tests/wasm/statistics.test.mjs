@@ -259,6 +259,44 @@ test('at a corner of a cube the median moves along an edge', async () => {
   }
 });
 
+test('at a corner of the boundary that points inwards the median moves along the boundary', async () => {
+  // The square without its upper right quarter. Seen from the corner, the first two points are three
+  // quarters of a turn apart, and the third is at 135 degrees from both.
+  const size = 20;
+  const lines = grid(2 * size)
+    .split('\n')
+    .filter((line) => {
+      const [kind, ...corners] = line.split(' ');
+      if (kind !== 'f') return true;
+      const places = corners.map((i) => [(i - 1) % (2 * size + 1), (i - 1) / (2 * size + 1)]);
+      const isBeyond = (k) =>
+        places.reduce((sum, place) => sum + Math.floor(place[k]), 0) / corners.length > size;
+      return !(isBeyond(0) && isBeyond(1));
+    });
+  const mesh = (await load()).meshFromObj(lines.join('\n'));
+  assert.equal(mesh.info.triangles, 6 * size ** 2);
+  const places = [
+    [size, size + 1, 0],
+    [size + 1, size, 0],
+    [6, 6, 0],
+    [size, size, 0],
+  ];
+  const points = places.map((place) => mesh.nearestPoint(place).point);
+  const vertex = mesh.positions().findIndex((_, i, all) => {
+    return i % 3 === 0 && all[i] === size && all[i + 1] === size;
+  });
+  for (const own of [points, [...points.slice(0, 3), { vertex: vertex / 3 }]]) {
+    for (const start of [own[1], own[3], undefined]) {
+      // Towards the first point the others pull with 1 - 0.5 - 0.1 / sqrt(2) = 0.43.
+      const { position } = await median(mesh, own, [1, 0.5, 0.1, 0.35], { start });
+      near(position, places[0], 1e-9);
+      // The sum of the pulls as vectors would exceed this weight, but points off the surface.
+      const heavy = await median(mesh, own, [1, 0.5, 0.1, 0.6], { start });
+      near(heavy.position, places[3], 1e-9);
+    }
+  }
+});
+
 test('on a torus derivatives equal difference quotients, and medians have no gradient', async (t) => {
   t.diagnostic(`seed ${seed}`);
   const random = randomFrom(seed);
