@@ -4,6 +4,7 @@ import {
   checkKind,
   engineValue,
   givenNumbers,
+  mirrored,
   type OwnBasis,
   optionsOfParts,
   ownBasis,
@@ -75,7 +76,7 @@ export class Curve {
   /** @internal `Mesh.curve` creates curves. */
   constructor(mesh: MeshHandle, options: CurveOptions) {
     checkOptions(options, curveOptionNames);
-    const basis = options.basis === undefined ? undefined : ownBasis(options.basis);
+    const basis = ownBasis(options.basis);
     const value = engineValue(options, basis);
     this.#mesh = mesh;
     this.#options = { ...options };
@@ -102,10 +103,7 @@ export class Curve {
    */
   set(value: CurveOptions, options: PolylineOptions = {}): CurveView {
     checkOptions(value, curveOptionNames);
-    const basis =
-      value.basis === undefined || value.basis === this.#options.basis
-        ? this.#basis
-        : ownBasis(value.basis);
+    const basis = ownBasis(value.basis, this.#basis);
     const next = engineValue(value, value.basis && basis);
     const wanted = { inDouble: inDouble(options), withPoints: false };
     const set = () => this.#handle.call((curve) => curve.set(next, wanted));
@@ -346,9 +344,11 @@ export class Curve {
     this.#edit('movePointInOrder', pointNumber(from), index);
   }
 
-  /** Reverses the curve. A closed curve keeps its first point. */
+  /** Reverses the curve, and mirrors its own basis. A closed curve keeps its first point. */
   reverse(): void {
     this.#edit('reverse');
+    if (!this.#basis) return;
+    this.#options = { ...this.#options, basis: mirrored(this.#options.basis, this.#basis) };
   }
 
   /**

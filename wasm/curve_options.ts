@@ -46,13 +46,24 @@ const parametrizations: readonly Parametrization[] = ['centripetal', 'uniform'];
 export const checkKind = (kind: unknown) => checkOneOf(kind, curveKinds, 'the kind of a curve');
 
 /** A caller's basis in the form that the engine calls. The engine rejects an empty result. */
-export type OwnBasis = Callback<[points: number, t: number], Float64Array>;
+export interface OwnBasis extends Callback<[points: number, t: number], Float64Array> {
+  /** The caller's function. */
+  of: CurveBasis;
+}
 
-export function ownBasis(basis: CurveBasis): OwnBasis {
+/** The basis of a value; `known` if the value has the same one or none. */
+export function ownBasis(basis: CurveBasis | undefined, known?: OwnBasis): OwnBasis | undefined {
+  if (basis === undefined || basis === known?.of) return known;
   checkFunction(basis, 'the basis');
   const weights = (points: number, t: number) =>
     toFloat64(basis(t, points), 'the weights of the basis');
-  return callback(weights, new Float64Array());
+  return { ...callback(weights, new Float64Array()), of: basis };
+}
+
+/** The basis of the reversed curve. `basis` is the caller's function `of`, or that one mirrored. */
+export function mirrored(basis: CurveBasis | undefined, { of }: OwnBasis): CurveBasis | undefined {
+  if (basis !== of) return basis && of;
+  return (t, points) => Array.from(of(1 - t, points)).reverse();
 }
 
 /** The options for sampling and drawing a curve, in the engine's form. */

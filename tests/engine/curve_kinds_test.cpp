@@ -223,6 +223,38 @@ TEST(CurveKinds, ACustomBasisIsUsedUnchanged) {
   EXPECT_EQ(curve.pointCount(), 3);
 }
 
+TEST(CurveKinds, ACustomBasisThatIsNotSymmetricIsMirroredWhereTheCurveIsReversed) {
+  Surface surface(planeGrid(12, 12));
+  CurveShape shape{CurveKind::kOwn};
+  // The basis is a quadratic through the three points, at 0, 0.2 and 1.
+  shape.basis = std::make_shared<OwnBasis>([](int, double t) {
+    return Array<double>{(1 - t / 0.2) * (1 - t), t * (1 - t) / 0.16, t * (t - 0.2) / 0.8};
+  });
+  Array<SurfacePoint> points;
+  for (const Vec3& place : {Vec3(3, 4, 0), Vec3(6, 8, 0), Vec3(9, 5, 0)}) {
+    points.push_back(nearestPoint(surface.mesh(), place));
+  }
+  Curve curve(surface, ofLevelZero(shape, 9, kExact), points);
+  const Array<CurveSample> before = curve.samples(0);
+  const auto farthest = [&](bool isReversed) {
+    const Array<CurveSample>& after = curve.samples(0);
+    double most = 0;
+    for (int i = 0; i < after.count(); ++i) {
+      const CurveSample& same = before[isReversed ? before.count() - 1 - i : i];
+      const Vec3 way =
+          position(surface.mesh(), after[i].point) - position(surface.mesh(), same.point);
+      most = std::max(most, way.norm());
+    }
+    return most;
+  };
+  curve.reverse();
+  EXPECT_LT(farthest(true), 1e-9);
+  curve.setKind(CurveKind::kBezier);
+  curve.reverse();
+  curve.setKind(CurveKind::kOwn);
+  EXPECT_EQ(farthest(false), 0);
+}
+
 TEST(CurveKinds, AdaptiveSamplesKeepTheirTolerance) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();

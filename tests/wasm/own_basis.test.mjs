@@ -108,3 +108,29 @@ test('a basis that calls the engine, or disposes of its mesh, is refused', async
   }
   own.dispose();
 });
+
+test('a reversed curve has the mirrored basis, and so has its value', () => {
+  // A quadratic through the three points, at 0, 0.2 and 1.
+  const basis = (t) => [(1 - t / 0.2) * (1 - t), (t * (1 - t)) / 0.16, (t * (t - 0.2)) / 0.8];
+  const curve = mesh.curve({ kind: 'custom', points: points.slice(1), basis, samples: 9 });
+  const before = Array.from(curve.polyline({ bits: 64 }));
+  const place = curve.pointAt(0.3).position;
+  curve.reverse();
+  const isThere = (a) =>
+    assert.ok(
+      a.every((x, i) => Math.abs(x - place[i]) < 1e-9),
+      `${a} ${place}`,
+    );
+  isThere(curve.pointAt(0.7).position);
+  isThere(mesh.curve(curve.value()).pointAt(0.7).position);
+  curve.set({ ...curve.value(), samples: 17 });
+  isThere(curve.pointAt(0.7).position);
+  curve.reverse();
+  isThere(mesh.curve(curve.value()).pointAt(0.3).position);
+  curve.set({ kind: 'custom', points: points.slice(1), basis, samples: 9 });
+  assert.deepEqual(Array.from(curve.polyline({ bits: 64 })), before);
+  curve.reverse();
+  curve.reverse();
+  assert.equal(curve.value().basis, basis);
+  assert.deepEqual(Array.from(curve.polyline({ bits: 64 })), before);
+});

@@ -142,7 +142,7 @@ Array<SegmentLayout> layOut(const CurveShape& shape, int points) {
       return {segmentOf({BasisForm::kBarycentric, last, betas}, all)};
     }
     case CurveKind::kOwn:
-      return {segmentOf({BasisForm::kOwn, last, {}, shape.basis}, all)};
+      return {segmentOf({BasisForm::kOwn, last, {}, shape.basis, shape.isBasisMirrored}, all)};
     case CurveKind::kBezier:
     case CurveKind::kRational:
       break;
@@ -152,7 +152,8 @@ Array<SegmentLayout> layOut(const CurveShape& shape, int points) {
 
 bool layAlike(const CurveShape& a, const CurveShape& b) {
   return a.kind == b.kind && a.closed == b.closed && a.degree == b.degree &&
-         a.knotRule == b.knotRule && a.knots == b.knots && a.betas == b.betas && a.basis == b.basis;
+         a.knotRule == b.knotRule && a.knots == b.knots && a.betas == b.betas &&
+         a.basis == b.basis && a.isBasisMirrored == b.isBasisMirrored;
 }
 
 }  // namespace karcher

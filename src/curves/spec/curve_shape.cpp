@@ -180,6 +180,7 @@ CurveShape withKind(CurveShape shape, CurveKind kind) {
   if (takesWeights(kind)) result.weights = std::move(shape.weights);
   if (takesBetas(kind)) result.betas = std::move(shape.betas);
   result.basis = std::move(shape.basis);
+  result.isBasisMirrored = shape.isBasisMirrored;
   return result;
 }
 
@@ -211,6 +212,7 @@ CurveShape reversed(CurveShape shape) {
   if (hasOwnKnots(shape)) shape.knots = reversedKnots(shape.knots, shape.degree, shape.closed);
   reverseEntries(shape.weights, shape.closed);
   reverseEntries(shape.betas, shape.closed);
+  shape.isBasisMirrored = shape.basis && !shape.isBasisMirrored;
   return shape;
 }
 

@@ -58,6 +58,8 @@ struct CurveShape {
   /// one positive beta for each point of kBarycentric; if empty, all are 1 (Berrut)
   Array<double> betas = {};
   std::shared_ptr<const OwnBasis> basis = {};  ///< the basis of kOwn
+  /// Whether the weights are those of the basis at 1 - t, in reverse order, as after a reversal.
+  bool isBasisMirrored = false;
 };
 
 inline bool takesWeights(CurveKind kind) {

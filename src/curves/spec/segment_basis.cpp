@@ -1,5 +1,7 @@
 #include "curves/spec/segment_basis.h"
 
+#include <algorithm>
+
 #include "curves/spec/bases.h"
 #include "mesh/error.h"
 #include "rcm/field_blend.h"
@@ -8,7 +10,8 @@ namespace karcher {
 namespace {
 
 Array<double> ownWeights(const SegmentBasis& basis, double t) {
-  Array<double> weights = (*basis.own)(basis.points, t);
+  Array<double> weights = (*basis.own)(basis.points, basis.isMirrored ? 1 - t : t);
+  if (basis.isMirrored) std::reverse(weights.begin(), weights.end());
   double sum = 0;
   for (const double weight : weights) sum += weight;
   if (weights.count() == basis.points && std::abs(sum - 1) <= kChainRounding) return weights;

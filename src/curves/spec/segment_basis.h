@@ -15,6 +15,7 @@ struct SegmentBasis {
   /// kCatmullRom: 4 knots, the middle ones 0 and 1; kBarycentric: betas.
   Array<double> numbers = {};
   std::shared_ptr<const OwnBasis> own = {};
+  bool isMirrored = false;  ///< whether kOwn is mirrored (CurveShape::isBasisMirrored)
   /// A fold adds `factor` times weight `from` of the basis to the weight of the segment's point
   /// `to`. Without folds, weight i belongs to point i.
   struct Fold {
