@@ -63,7 +63,7 @@ CurveValue withPointDragged(CurveValue value, int i, const SurfacePoint& point,
   checkIndex(value, i);
   if (isSame(value.points[i], point)) return value;
   value.points[i] = point;
-  value.legs.resize(legs.size());
+  if (value.legs.empty()) value.legs.resize(legs.size());
   for (const int leg : legsAt(value, i)) {
     if (leg < legs.count() && value.legs[leg].points.empty()) value.legs[leg] = legs[leg];
   }

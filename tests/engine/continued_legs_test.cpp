@@ -84,6 +84,17 @@ TEST_F(ContinuedLegs, AreShortestPathsAfterTheOtherEndIsPlaced) {
   EXPECT_LT(curve.legs()[2].length(), 1.7);
 }
 
+TEST_F(ContinuedLegs, StayWhileACurveThatUsesNoneIsDragged) {
+  CurveValue value = drawnOut().value();
+  value.options.levels = 0;
+  Curve curve(surface_, value);
+  curve.dragPoint(0, at(0, 1.3));
+  value = curve.value();
+  ASSERT_EQ(value.legs.count(), 3);
+  value.options.levels = 2;
+  EXPECT_NEAR(Curve(surface_, value).legs()[2].length(), 4.75, 0.1);
+}
+
 TEST_F(ContinuedLegs, OfMissingPointsAreRefused) {
   Curve curve = drawnOut();
   EXPECT_EQ(codeOf([&] { curve.dragPoint(4, at(0, 1)); }), ErrorCode::kBadIndex);
