@@ -36,7 +36,7 @@ export interface RegionShape {
   /**
    * A point that must lie inside, or the inner side of the first outline. Left and right refer to
    * the first place where the outline's two sides differ. The choice stays the same when the
-   * outline moves. By default the smaller side is inside.
+   * outline moves. By default the smaller side is inside; of two equal sides, the left one.
    */
   inside?: PointLike | 'left' | 'right';
 }

@@ -14,24 +14,30 @@ namespace {
 /// The uses of an edge of the arrangement by a range of paths, summed up.
 struct EdgeCount {
   int halfedge = 0;
-  int change = 0;  ///< the change of the label from the right to the left of the half-edge
-  /// the earliest use by the range's first path; its `path` is -1 if that path does not use the
-  /// edge
-  PathUse firstOfAll;
+  int change = 0;    ///< the change of the label from the right to the left of the half-edge
+  PathUse earliest;  ///< the earliest use; its `path` is -1 if no path of the range uses the edge
 };
+
+bool isEarlier(const PathUse& a, const PathUse& b) {
+  return a.path != b.path ? a.path < b.path : a.order < b.order;
+}
+
+/// Whether the labels on the two sides of an edge differ.
+bool parts(const EdgeCount& count, FillRule rule) {
+  return (rule == FillRule::kEvenOdd ? count.change % 2 : count.change) != 0;
+}
 
 /// The summed-up uses of the edge of use i. Advances `i` to the first use of the next edge.
 EdgeCount countAt(const Arrangement& all, const PathRange& paths, int& i) {
   EdgeCount count;
   count.halfedge = all.uses[i].halfedge;
-  count.firstOfAll.path = -1;
+  count.earliest.path = -1;
   for (; i < all.uses.count() && all.uses[i].halfedge == count.halfedge; ++i) {
     const PathUse& use = all.uses[i];
     const int path = use.path - paths.first;
     if (path < 0 || path >= paths.count) continue;
     count.change += use.sign;
-    const bool isEarlier = count.firstOfAll.path < 0 || use.order < count.firstOfAll.order;
-    if (path == 0 && isEarlier) count.firstOfAll = use;
+    if (count.earliest.path < 0 || isEarlier(use, count.earliest)) count.earliest = use;
   }
   return count;
 }
@@ -48,10 +54,13 @@ struct Step {
 struct Steps {
   Array<int> start;
   Array<Step> steps;
+  /// The uses of the edges whose two sides have different labels, as the paths run.
+  Array<PathUse> parting;
 };
 
-Steps stepsOf(const Arrangement& all, const PathRange& paths) {
+Steps stepsOf(const Arrangement& all, const PathRange& paths, FillRule rule) {
   Array<Step> found;
+  Steps result;
   for (int i = 0; i < all.uses.count();) {
     const EdgeCount count = countAt(all, paths, i);
     const int h = count.halfedge;
@@ -60,8 +69,9 @@ Steps stepsOf(const Arrangement& all, const PathRange& paths) {
     const int right = all.cell(all.twin[h]);
     found.push_back({right, left, count.change});
     found.push_back({left, right, -count.change});
+    if (parts(count, rule)) result.parting.push_back(count.earliest);
   }
-  Steps result;
+  std::sort(result.parting.begin(), result.parting.end(), isEarlier);
   result.start.assign(static_cast<size_t>(all.cellCount()) + 1, 0);
   for (const Step& step : found) ++result.start[step.from + 1];
   for (int c = 0; c < all.cellCount(); ++c) result.start[c + 1] += result.start[c];
@@ -98,7 +108,7 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
     areas.back().area += all.cellArea[cell];
   }
   // Of labels with equal areas up to rounding, the smallest is outside: it belongs to cells right
-  // of the curves.
+  // of the curves (with kEvenOdd, right of their first place).
   const LabelArea* outside = nullptr;
   for (const LabelArea& one : areas) {
     if (inside && one.label == labels[*inside]) continue;
@@ -115,12 +125,19 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
 
 Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                 std::optional<int> inside) {
-  const Steps all = stepsOf(arrangement, paths);
+  const Steps all = stepsOf(arrangement, paths, rule);
   const size_t count = static_cast<size_t>(arrangement.cellCount());
   Array<int> labels(count, 0);
   Array<uint8_t> isLabelled(count, 0);
   Region region(count, 0);
-  for (int first = 0; first < arrangement.cellCount(); ++first) {
+  // Label 0 belongs to the cell right of a component's first path.
+  Array<int> starts;
+  for (const PathUse& use : all.parting) {
+    const int h = use.halfedge;
+    starts.push_back(arrangement.cell(use.sign > 0 ? arrangement.twin[h] : h));
+  }
+  for (int cell = 0; cell < arrangement.cellCount(); ++cell) starts.push_back(cell);
+  for (const int first : starts) {
     if (isLabelled[first] != 0) continue;
     isLabelled[first] = 1;
     Array<int> cells{first};
@@ -152,9 +169,8 @@ std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& p
   bool isInside = false;
   for (int i = 0; i < arrangement.uses.count();) {
     const EdgeCount count = countAt(arrangement, paths, i);
-    const PathUse& use = count.firstOfAll;
-    if (use.path < 0 || (rule == FillRule::kEvenOdd ? count.change % 2 : count.change) == 0)
-      continue;
+    const PathUse& use = count.earliest;
+    if (use.path != paths.first || !parts(count, rule)) continue;
     const bool isHere = arrangement.twin[use.halfedge] >= 0;
     const bool isBetter = isHere == isInside ? use.order < first.order : isHere;
     if (first.halfedge >= 0 && !isBetter) continue;

@@ -9,8 +9,8 @@
 /// determines the labels of all cells up to a constant. If the changes of the label do not cancel
 /// around a handle of the surface, or around the end of a path, the paths enclose no region. A
 /// surface has no natural outside. On each component, the cells of one label are outside: the label
-/// whose cells have the largest area together. The label of a given cell that must lie inside is
-/// never outside.
+/// whose cells have the largest area together. Of equal areas, those right of the curves are
+/// outside. The label of a given cell that must lie inside is never outside.
 namespace karcher {
 
 /// A region: 1 for each cell that belongs to it, else 0.

@@ -257,6 +257,22 @@ TEST(Regions, AreTheSmallerSideOrThatOfAPoint) {
   }
 }
 
+TEST(Regions, OfTwoEqualSidesAreTheLeftOneInAnyNumberingOfFaces) {
+  const TriangleMesh grid = planeGrid(4, 4);
+  const Array<Triangle> reversed(grid.faces.rbegin(), grid.faces.rend());
+  for (const Array<Triangle>& faces : {grid.faces, reversed}) {
+    const Sheet sheet(buildMesh(grid.positions, faces));
+    for (const double from : {0, 4}) {
+      const SurfacePath path = polygonOn(sheet.geometry, {{2, from}, {2, 4 - from}}, false);
+      const Arrangement all = arrange(sheet.geometry, std::span(&path, 1));
+      for (const FillRule rule : {FillRule::kEvenOdd, FillRule::kNonZero}) {
+        EXPECT_EQ(enclosed(all, kFirst, rule), enclosedBeside(all, kFirst, rule, PathSide::kLeft))
+            << "from " << from;
+      }
+    }
+  }
+}
+
 TEST(Regions, StayOnTheSideOfAMovingCurve) {
   const Sheet sphere(meshOf(makeShape(Shape::kSphere, 2000)));
   const double whole = surfaceArea(sphere.geometry);
