@@ -124,6 +124,14 @@ class Walk {
     Vec3 bary = walker.point.bary;
     const Vec3 rates = barycentricRates(geometry_, f, walker.direction);
     const FaceExit exit = exitOfFace(bary, rates);
+    // Beyond an edge or a vertex, a rest that weights do not show is rounding. It has no direction,
+    // so that the walk ends on the edge or at the vertex.
+    const bool isRounding =
+        walked_ > 0 && path_.remaining * rates.cwiseAbs().maxCoeff() < kLocalRounding;
+    if (isRounding) {
+      path_.remaining = 0;
+      return std::nullopt;
+    }
     if (path_.remaining < exit.length) {
       bary = (bary + path_.remaining * rates).cwiseMax(0.0);
       walked_ += path_.remaining;

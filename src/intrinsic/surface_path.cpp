@@ -13,8 +13,11 @@ bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const PointLocat
   if (a.face == b.face) return a.bary == b.bary;
   if (atA.simplex != atB.simplex || atA.simplex == Simplex::kFace) return false;
   if (atA.simplex == Simplex::kVertex) return atA.vertex == atB.vertex;
-  return mesh.twin[atA.halfedge] == atB.halfedge &&
-         a.bary[cornerOf(atA.halfedge)] == b.bary[cornerOf(next(atB.halfedge))];
+  const int h = atA.halfedge;
+  const int t = atB.halfedge;
+  // From one face to the other, 1 - (1 - s) may differ from s.
+  return mesh.twin[h] == t && (a.bary[cornerOf(h)] == b.bary[cornerOf(next(t))] ||
+                               a.bary[cornerOf(next(h))] == b.bary[cornerOf(t)]);
 }
 
 /// Calls append(point) for each point of the part of a path between two lengths.

@@ -59,7 +59,7 @@ Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int s
   const TriangleMesh& mesh = *geometry.mesh;
   const SurfacePoint& start = path.points[from];
   for (int i = from + stride; i >= 0 && i < path.points.count(); i += stride) {
-    if (path.lengths[i] == path.lengths[from]) continue;
+    if (path.lengths[i] == path.lengths[from] || samePlace(mesh, start, path.points[i])) continue;
     const int face = commonFace(mesh, start, path.points[i]);
     if (face < 0) break;
     const Vec2 onward = vectorOnward(geometry, path, from, i, stride, face);

@@ -7,7 +7,7 @@
 #include "distance/shortest_path.h"
 #include "distance/source_vectors.h"
 #include "generators/flat.h"
-#include "generators/random.h"
+#include "generators/random_points.h"
 #include "generators/region_drawings.h"
 #include "mesh/error.h"
 #include "mesh/shapes.h"
@@ -47,6 +47,37 @@ TEST(TangentMaps, OnThePlaneAreDifferencesAndSums) {
   }
 }
 
+TEST(TangentMaps, OnThePlaneCarryDirectionsToAndFromEdgesAndVertices) {
+  const TriangleMesh mesh = gridWithCorner();
+  const Geometry geometry = buildGeometry(mesh);
+  FindPathWorkspace workspace;
+  const uint64_t seed = 20261130;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  int straight = 0;
+  for (int i = 0; i < 400; ++i) {
+    const SurfacePoint from = randomPlace(mesh, random);
+    const SurfacePoint to = randomPlace(mesh, random);
+    const Vec3 way = position(mesh, to) - position(mesh, from);
+    const Vec3 carried(random.uniform(-1, 1), random.uniform(-1, 1), 0);
+    const LogMapped log =
+        logMap(geometry, from, to, tangentFromSpace(geometry, to, carried), workspace);
+    EXPECT_LT((tangentToSpace(geometry, from, log.direction) - carried).norm(), 1e-11);
+    // The other paths turn at the corner of the boundary.
+    if (log.vector.norm() > way.norm() + 1e-9 || way.norm() == 0) continue;
+    ++straight;
+    EXPECT_LT((tangentToSpace(geometry, from, log.vector) - way).norm(), 1e-11);
+    const ExpMapped exp = expMap(geometry, from, log.vector, log.direction);
+    EXPECT_LT((position(mesh, exp.point) - position(mesh, to)).norm() + exp.remaining, 1e-11);
+    EXPECT_LT((tangentToSpace(geometry, exp.point, exp.direction) - carried).norm(), 1e-11);
+    SurfacePath path = expAlong(geometry, from, log.vector);
+    measure(mesh, path);
+    const Vec2 along = transportAlong(geometry, path, log.direction);
+    EXPECT_LT((tangentToSpace(geometry, path.end(), along) - carried).norm(), 1e-11);
+  }
+  EXPECT_GT(straight, 200);
+}
+
 TEST(TangentMaps, CarryAVectorAroundACornerOfTheBoundary) {
   // The path bends around the vertex (4, 4) on a plane: vectors do not change.
   const TriangleMesh mesh = gridWithCorner();
@@ -58,6 +89,97 @@ TEST(TangentMaps, CarryAVectorAroundACornerOfTheBoundary) {
   const Vec3 way(0.3, -0.8, 0);
   const Vec2 carried = transportAlong(geometry, path, tangentFromSpace(geometry, from, way));
   EXPECT_LT((tangentToSpace(geometry, to, carried) - way).norm(), 1e-12);
+}
+
+/// A fan of triangles around vertex 0, each cut into 9. Vertex i is at the angle `step` i around
+/// the axis, at the height `lift` cos(2 `step` i).
+TriangleMesh fanAround(int rays, double step, double lift, bool isOpen) {
+  TriangleSoup fan;
+  fan.positions.push_back(Vec3::Zero());
+  for (int i = 0; i < rays; ++i) {
+    const Vec2 ray = unitVector(step * i);
+    fan.positions.push_back(Vec3(ray.x(), ray.y(), lift * std::cos(2 * step * i)));
+    if (!isOpen || i + 1 < rays) fan.triangles.push_back({0, i + 1, (i + 1) % rays + 1});
+  }
+  return meshOf(splitTriangles(meshOf(fan), 3));
+}
+
+/// The distance of a point of a fan from vertex 0, and its direction there.
+struct OnFan {
+  double radius;
+  double direction;
+};
+OnFan onFan(const Geometry& geometry, const SurfacePoint& point) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  const Vec3 place = position(mesh, point);
+  OnFan result{place.norm(), 0};
+  double least = kInfinity;
+  for (const int h : outgoingHalfedges(mesh, 0)) {
+    const Vec3& right = mesh.positions[mesh.head(h)];
+    const Vec3& left = mesh.positions[mesh.tail(previous(h))];
+    const auto angleFrom = [&](const Vec3& ray) {
+      return std::atan2(ray.cross(place).norm(), ray.dot(place));
+    };
+    const double excess = angleFrom(right) + angleFrom(left) - geometry.cornerAngle[h];
+    if (excess >= least) continue;
+    least = excess;
+    result.direction = geometry.cumulatedAngle[h] + angleFrom(right);
+  }
+  return result;
+}
+
+/// The difference of two directions at one place, which may be given in different faces.
+double differenceAt(const Geometry& geometry, const SurfacePoint& a, const Vec2& atA,
+                    const SurfacePoint& b, const Vec2& atB) {
+  const PointLocation place = locate(*geometry.mesh, a);
+  if (place.simplex != locate(*geometry.mesh, b).simplex) return kInfinity;
+  const bool isSame = a.face == b.face || place.simplex != Simplex::kEdge;
+  return ((isSame ? atA : acrossEdge(geometry, place.halfedge, atA)) - atB).norm();
+}
+
+TEST(TangentMaps, AroundCornersConesAndSaddlesAreInverseToEachOther) {
+  const TriangleMesh fans[] = {fanAround(4, kPi / 6, 0, true),
+                               fanAround(9, 1.5 * kPi / 8, 0, true),
+                               fanAround(11, 0.19 * kPi, 0, true),
+                               fanAround(7, kPi / 6, 0.4, true),
+                               fanAround(8, kPi / 4, 0, false),
+                               fanAround(16, kPi / 8, 0.9, false),
+                               meshOf(splitTriangles(meshOf(flatCone(5, 4, 6).soup), 3))};
+  const uint64_t seed = 20261201;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (const TriangleMesh& mesh : fans) {
+    const Geometry geometry = buildGeometry(mesh);
+    const double total = geometry.totalAngle[0];
+    SCOPED_TRACE("a total angle of " + std::to_string(total));
+    FindPathWorkspace workspace;
+    const SurfacePoint apex = vertexPoint(mesh, 0);
+    const auto expectInverse = [&](const SurfacePoint& from, const SurfacePoint& to) {
+      const Vec2 carried = unitVector(random.uniform(0, 2 * kPi));
+      const LogMapped log = logMap(geometry, from, to, carried, workspace);
+      const ExpMapped exp = expMap(geometry, from, log.vector, log.direction);
+      EXPECT_LT((position(mesh, exp.point) - position(mesh, to)).norm() + exp.remaining, 1e-11);
+      EXPECT_LT(differenceAt(geometry, exp.point, exp.direction, to, carried), 1e-9);
+      return log.vector;
+    };
+    for (int i = 0; i < 60; ++i) {
+      const SurfacePoint p = randomPlace(mesh, random);
+      const SurfacePoint q = randomPlace(mesh, random);
+      const OnFan ofP = onFan(geometry, p);
+      const OnFan ofQ = onFan(geometry, q);
+      if (ofP.radius == 0 || ofQ.radius == 0) continue;
+      const Vec2 fromApex = ofP.radius * unitVector(geometry.angleScale[0] * ofP.direction);
+      EXPECT_LT((expectInverse(apex, p) - fromApex).norm(), 1e-12);
+      EXPECT_NEAR(expectInverse(p, apex).norm(), ofP.radius, 1e-12);
+      double apart = std::abs(ofP.direction - ofQ.direction);
+      if (!mesh.onBoundary[0]) apart = std::min(apart, total - apart);
+      // A path around the apex turns there, which the exp map does not.
+      if (apart > kPi - 1e-3) continue;
+      const double squared =
+          square(ofP.radius) + square(ofQ.radius) - 2 * ofP.radius * ofQ.radius * std::cos(apart);
+      EXPECT_NEAR(expectInverse(p, q).norm(), std::sqrt(std::max(0.0, squared)), 1e-7);
+    }
+  }
 }
 
 TEST(TangentMaps, TransportKeepsLengthsAndAnglesAndComesBack) {
