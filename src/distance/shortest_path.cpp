@@ -147,6 +147,23 @@ SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
            distance.targetArrival().arrival.distance != kInfinity;
   });
   const TargetArrival& target = distance.targetArrival();
+  // Beside needles, rounding may drop the windows that lead to the target. Paths over a corner of
+  // its face are then as short as paths through the windows, up to rounding.
+  double least = target.arrival.distance * (1 - kChainRounding);
+  int over = -1;
+  for (int k = 0; k < 3; ++k) {
+    const int vertex = mesh.corner(to.face, k);
+    const double length = distance.distance(vertex) +
+                          (pointInFace(geometry, to) - cornerInFace(geometry, to.face, k)).norm();
+    if (!(length < least)) continue;
+    least = length;
+    over = vertex;
+  }
+  if (over >= 0) {
+    SurfacePath path = shortestPathToVertex(geometry, distance, over);
+    appendPoint(mesh, to, path);
+    return path;
+  }
   if (target.arrival.distance == kInfinity) throwUnreachable();
 
   Array<SurfacePoint> points{to};

@@ -180,6 +180,65 @@ TEST(ShortestPath, IsContinuousOnNeedlesAndAlongTheBoundary) {
   }
 }
 
+TEST(ShortestPath, IsTheSameBothWaysInCapsAndNeedlesBesideItsStart) {
+  struct Case {
+    TriangleSoup soup;
+    int vertex;
+    int face;
+  };
+  // The first vertex lies much nearer to an end of an edge than the edge is long, and the path
+  // leaves through that edge.
+  const Case cases[] = {
+      {{{{0, 0, 0},
+         {1, 0, 0},
+         {0.4199221320450306, 1, 0.429489100119099},
+         {0.0804437161423266, -1, 0.3126797790173441},
+         {0.4199227038254291, 0.9999950391829415, 0.4294869695022447},
+         {0.000026904509156703366, 0.00006407020011530164, 0.000027517452591971493}},
+        {{0, 4, 5}, {1, 0, 3}, {0, 1, 4}, {1, 2, 4}, {4, 2, 5}, {2, 0, 5}}},
+       0,
+       4},
+      {{{{0, 0, 0},
+         {1, 0, 0},
+         {1.0890544475987554, 1, 0.163262631976977},
+         {0.4685594504699111, -1, -0.34463859838433564},
+         {0.000003477763026644095, 8.708325156488254e-7, 1.4217440851595922e-7},
+         {1.0890457743110014, 0.9999920359326558, 0.16326133174238114},
+         {0.01554350694199617, 0.014272474788097686, 0.0023301617987298755}},
+        {{0, 1, 4}, {1, 0, 3}, {1, 2, 4}, {2, 0, 5}, {0, 4, 6}, {4, 2, 5}, {4, 5, 6}, {5, 0, 6}}},
+       2,
+       4},
+      {{{{0, 0, 0},
+         {1, 0, 0},
+         {-0.4498168798163533, 1, 0.265129815088585},
+         {0.9415282998234034, -1, 0.12933152331970632},
+         {0.9992268115479519, 0.0005191269089788274, 0.00013763602138506525},
+         {0.9397738513887852, 0.04152720752608423, 0.011010100852536007},
+         {0.9991126822463846, 0.000597847846764822, 0.000158507289063866},
+         {-0.44664083649298036, 0.9978093180422946, 0.26454899998622067}},
+        {{4, 1, 5},
+         {1, 0, 3},
+         {2, 0, 4},
+         {0, 1, 4},
+         {1, 2, 5},
+         {4, 5, 6},
+         {2, 6, 7},
+         {2, 4, 6},
+         {6, 5, 7},
+         {5, 2, 7}}},
+       4,
+       6}};
+  for (const Case& each : cases) {
+    const MeasuredMesh on(each.soup);
+    const SurfacePoint from = vertexPoint(on.mesh, each.vertex);
+    const SurfacePoint to{each.face, Vec3(0.2, 0.3, 0.5)};
+    const SurfacePath path = shortestPath(on.geometry, from, to);
+    const double back = shortestPath(on.geometry, to, from).length();
+    EXPECT_NEAR(path.length(), back, 1e-9 * back);
+    expectPathOnSurface(on.mesh, path);
+  }
+}
+
 TEST(ShortestPath, RefusesPointsOnSeveralComponents) {
   const TriangleMesh mesh = twoGrids();
   const Geometry geometry = buildGeometry(mesh);
