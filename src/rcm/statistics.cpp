@@ -146,6 +146,12 @@ void checkWeights(const Array<SurfacePoint>& points, const Array<double>& weight
 RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Array<double>& weights,
                   const RobustOptions& options, const Rule& rule) {
   checkWeights(points, weights);
+  if (points.empty()) {
+    throw Error(ErrorCode::kTooFewPoints, "a median or a Huber mean needs at least one point");
+  }
+  Array<SurfacePoint> connected = points;
+  if (options.start) connected.push_back(*options.start);
+  checkOneComponent(sets.surface(), connected);
   const Geometry& geometry = sets.surface().geometry();
   const double least = options.tolerance * geometry.diagonal;
   MeanOptions ofMeans;

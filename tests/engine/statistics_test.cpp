@@ -284,6 +284,20 @@ TEST(Statistics, ErrorsNameTheMistake) {
   EXPECT_EQ(codeOf([&] { median(sets, points, {1, -1}); }), ErrorCode::kBadArgument);
   EXPECT_EQ(codeOf([&] { median(sets, points, {1}); }), ErrorCode::kBadArgument);
   EXPECT_EQ(codeOf([&] { huberMean(sets, points, {1, 1}, 0); }), ErrorCode::kBadArgument);
+  // A start excuses nothing.
+  Surface two(twoGrids());
+  FieldSets ofTwo(two);
+  RobustOptions from;
+  from.start = nearestPoint(two.mesh(), Vec3(11, 1, 0));
+  const Array<SurfacePoint> onFirst =
+      pointsAt(two.mesh(), {Vec3(1, 1, 0), Vec3(2, 1, 0), Vec3(1, 2, 0)});
+  EXPECT_EQ(codeOf([&] { median(ofTwo, onFirst, {1, 1, 1}, from); }), ErrorCode::kUnreachable);
+  EXPECT_EQ(codeOf([&] {
+              huberMean(ofTwo, onFirst, {1, 1, 1}, 1, from);
+            }),
+            ErrorCode::kUnreachable);
+  EXPECT_EQ(codeOf([&] { huberMean(ofTwo, {}, {}, 1, from); }), ErrorCode::kTooFewPoints);
+  EXPECT_EQ(codeOf([&] { median(ofTwo, {}, {}, from); }), ErrorCode::kTooFewPoints);
   const SurfacePoint vertex{0, Vec3(1, 0, 0)};
   const Array<double> weights = {1, 1};
   EXPECT_EQ(codeOf([&] { hessianAt(surface.geometry(), points, weights, vertex); }),

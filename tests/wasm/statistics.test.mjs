@@ -214,6 +214,11 @@ for (const [where, loadEngine] of Object.entries({
       ]);
       await assert.rejects(async () => median(mesh, points, [1, -1]), /must be positive/);
       await assert.rejects(async () => median(mesh, points, [1]), /2 points but 1 weights/);
+      for (const start of [undefined, points[0]]) {
+        const tooFew = { code: 'tooFewPoints' };
+        await assert.rejects(async () => median(mesh, [], [], { start }), tooFew);
+        await assert.rejects(async () => huberMean(mesh, [], [], { start, threshold: 1 }), tooFew);
+      }
       await assert.rejects(
         async () => median(mesh, points, [1, 1], { begin: 1 }),
         /no option 'begin'/,

@@ -139,6 +139,9 @@ async function search(
   { pull, cost, isSharp }: Rule,
 ): Promise<RobustMean> {
   const own = checkWeights(weights, checkArray(points, 'the points').length);
+  if (own.length === 0) {
+    throw new KarcherError('tooFewPoints', 'a median or a Huber mean needs at least one point');
+  }
   const least = checkNumber(tolerance, 'the tolerance') * mesh.info.diagonal;
   const centerOf = (factors: readonly number[], from?: PointLike) =>
     mesh.centerOfMass(points, factors, { normalize: true, start: from });
