@@ -73,7 +73,12 @@ void PathDistance::addWindow(int h, const Window& given, bool isFront, SideOfPat
   const double head = arrivals_[mesh_.head(h)].distance;
   const bool isLeft = isFront ? trimFront(window, tail, head, length)
                               : trimByTail(window, tail) && trimByHead(window, head, length);
-  if (!isLeft || isTooNarrow(window, kNarrowestWindow * length)) return;
+  // If the center of a fan is nearer to the edge than the edge is long, a narrow window may hold
+  // wide angles.
+  const double leg = isFront ? length : leastDistance(window) - window.offset;
+  const double narrowest =
+      std::max(kStepRounding * length, kNarrowestWindow * std::min(length, leg));
+  if (!isLeft || isTooNarrow(window, narrowest)) return;
   Waiting waiting;
   waiting.key = isFront ? std::min(distanceThrough(window, true, window.begin),
                                    distanceThrough(window, true, window.end))

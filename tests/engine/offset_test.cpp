@@ -331,6 +331,29 @@ TEST(PathDistance, OfAPathWithPointsBesideEachOtherOnTwoSidesOfAnEdge) {
   EXPECT_NEAR(field.at(across).value, 0, 1e-12);
 }
 
+TEST(PathDistance, PassesACapWhoseApexLiesOnAnEdgeUpToRounding) {
+  // Face 0 4 6 is a cap, 5e-12 high. The path ends at its neighbors.
+  const TriangleSoup soup{
+      {{0, 0, 0},
+       {1, 0, 0},
+       {-0.009221595712006092, 1, 0.19776670937426388},
+       {0.36798916943371296, -1, -0.091680376091972},
+       {0.3696887441893434, -0.9973060283863359, -0.09143339176125016},
+       {0.9991424392809239, -0.0013568700745806748, -0.00012439835874549835},
+       {0.3673586553740309, -0.9982729017218506, -0.09152203507228346}},
+      {{0, 1, 2}, {1, 4, 5}, {1, 0, 4}, {3, 4, 6}, {4, 3, 5}, {3, 1, 5}, {4, 0, 6}, {0, 3, 6}}};
+  const Sheet sheet(meshOf(soup));
+  const SurfacePath path =
+      pathThrough(sheet.mesh, {vertexPoint(sheet.mesh, 3), vertexPoint(sheet.mesh, 5)});
+  const PathDistance field(sheet.geometry, {&path, 1}, kInfinity);
+  WindowDistance exact(sheet.geometry);
+  exact.setSource(path.end());
+  exact.grow(kInfinity);
+  for (int v = 0; v < sheet.mesh.vertexCount(); ++v) {
+    EXPECT_LE(field.atVertex(v), exact.distance(v) * (1 + 1e-12)) << "vertex " << v;
+  }
+}
+
 TEST(Offset, RefusesInvalidPathsAndDistances) {
   const Sheet sheet(planeGrid(4, 4));
   const SurfacePath path = polygonOn(sheet.geometry, {Vec2(1, 1), Vec2(3, 2)}, false);
