@@ -178,6 +178,46 @@ test('seams that were not welded are coinciding boundaries', async () => {
   assert.equal((await checkUp(mesh)).nearBoundaries, null);
 });
 
+test('vertices at the ends of a contracted edge are one', async () => {
+  // A hemisphere in rows, whose first row is a pole of 8 vertices at one place.
+  const [columns, rows] = [8, 4];
+  const dome = (shift) => {
+    const [positions, triangles] = [[], []];
+    for (let j = 0; j <= rows; j++) {
+      for (let i = 0; i < columns; i++) {
+        const [a, b] = [(2 * Math.PI * i) / columns, (Math.PI * j) / (2 * rows)];
+        const out = j === 0 ? 0 : Math.sin(b);
+        positions.push(shift + out * Math.cos(a), out * Math.sin(a), Math.cos(b));
+      }
+    }
+    const at = (i, j) => j * columns + (i % columns);
+    for (let j = 0; j < rows; j++) {
+      for (let i = 0; i < columns; i++) {
+        const [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+        triangles.push(a, b, c, a, c, d);
+      }
+    }
+    return [positions, triangles];
+  };
+  for (const shift of [0, 5]) {
+    const mesh = karcher.meshFromArrays(...dome(shift));
+    assert.deepEqual(
+      mesh.info.repairs.map(({ kind }) => kind).filter((kind) => /contr|weld/.test(kind)),
+      ['contracted'],
+    );
+    const { boundary, nearBoundaries } = await checkUp(mesh);
+    assert.deepEqual([boundary.length / 6, nearBoundaries], [columns, null], `shift ${shift}`);
+  }
+  // A seam that was not welded stays a boundary beside a contracted edge.
+  const [positions, triangles] = slit(0, 1);
+  const [tips, faces] = dome(20);
+  const count = positions.length / 3;
+  const both = [...triangles, ...faces.map((vertex) => vertex + count)];
+  const mesh = karcher.meshFromArrays([...positions, ...tips], both, { weld: 0 });
+  const { boundary } = await checkUp(mesh);
+  assert.equal(boundary.length / 6, 2 * (2 * 8 + 2) + columns);
+});
+
 test('degenerate triangles are no caps: the engine flips them away', async () => {
   // Vertex 3 lies on the edge from 0 to 1, up to rounding.
   const positions = [0, 0, 0, 3, 1, 0, 1, 2, 0, 0.9, 0.3, 0, 2, -2, 0];

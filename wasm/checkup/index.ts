@@ -3,6 +3,7 @@ import { Slices } from '../slices.js';
 import type { LongWorkOptions, MeshInfo } from '../types.js';
 import { type Boundary, boundaryEdges } from './boundary.js';
 import { type NearBoundaries, nearBoundaries } from './near_boundaries.js';
+import { numbersOf } from './numbers.js';
 import { shapesOf } from './shapes.js';
 
 export type { NearBoundaries } from './near_boundaries.js';
@@ -51,11 +52,9 @@ export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Pr
   const slices = new Slices(work, 'checking');
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
   const { info } = mesh;
-  // If the import welded no vertices, vertices at one place are separate in the engine. The check
-  // then keeps them separate, too.
-  const byPlace = info.repairs.some(({ kind }) => kind === 'welded');
+  const numbers = await numbersOf(positions, triangles, info, slices);
   const doubled = info.repairs.some(({ kind }) => kind === 'duplicate');
-  const { numbers, shortest, ...shapes } = await shapesOf(positions, triangles, byPlace, slices);
+  const { shortest, ...shapes } = await shapesOf(positions, triangles, numbers, slices);
   const edges =
     info.boundaryLoops === 0
       ? { ends: new Int32Array(), vertexAt: new Int32Array() }

@@ -1,4 +1,3 @@
-import { Places } from '../places.js';
 import { batchMask, type Slices } from '../slices.js';
 
 /**
@@ -20,8 +19,6 @@ interface Shapes {
   largestAngle: number;
   needles: Int32Array;
   caps: Int32Array;
-  /** A number for each corner; vertices that count as one have the same number. */
-  numbers: Int32Array;
   /**
    * The length of the shortest edge at the vertices of each number. Edges of faces without height
    * count, too.
@@ -30,17 +27,16 @@ interface Shapes {
 }
 
 /**
- * The lengths and angles of triangles. With `byPlace`, vertices at one place count as one. The
- * result omits triangles with one vertex at two corners, and triangles whose corners lie on a line
- * by the engine's rule.
+ * The lengths and angles of triangles. `numbers` has a number for each corner; vertices that count
+ * as one have the same number. The result omits triangles with one number at two corners, and
+ * triangles whose corners lie on a line by the engine's rule.
  */
 export async function shapesOf(
   positions: Float64Array,
   triangles: Int32Array,
-  byPlace: boolean,
+  numbers: Int32Array,
   slices: Slices,
 ): Promise<Shapes> {
-  const numbers = byPlace ? await numbersOf(positions, triangles, slices) : triangles;
   const shortestAt = new Float64Array(
     numbers.reduce((most, number) => Math.max(most, number), 0) + 1,
   ).fill(Infinity);
@@ -89,7 +85,7 @@ export async function shapesOf(
   }
   const angles = { smallestAngle, largestAngle };
   const faces = { needles: Int32Array.from(needles), caps: Int32Array.from(caps) };
-  return { shortestEdge, longestEdge, ...angles, ...faces, numbers, shortest: shortestAt };
+  return { shortestEdge, longestEdge, ...angles, ...faces, shortest: shortestAt };
 }
 
 /**
@@ -102,15 +98,4 @@ function twiceArea(positions: Float64Array, p: number, q: number, r: number): nu
   const [ux, uy, uz] = [along(q, 0), along(q, 1), along(q, 2)];
   const [vx, vy, vz] = [along(r, 0), along(r, 1), along(r, 2)];
   return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
-}
-
-async function numbersOf(positions: Float64Array, triangles: Int32Array, slices: Slices) {
-  const places = new Places();
-  const numbers = new Int32Array(triangles.length);
-  for (const [i, vertex] of triangles.entries()) {
-    if ((i & batchMask) === 0 && slices.over) await slices.rest((0.4 * i) / triangles.length);
-    const at = 3 * vertex;
-    numbers[i] = places.number(positions[at]!, positions[at + 1]!, positions[at + 2]!);
-  }
-  return numbers;
 }
