@@ -218,6 +218,23 @@ test('vertices at the ends of a contracted edge are one', async () => {
   assert.equal(boundary.length / 6, 2 * (2 * 8 + 2) + columns);
 });
 
+test('a check of boundaries far from the origin ends', async () => {
+  const check = async (positions, triangles) =>
+    (await checkUp(karcher.meshFromArrays(positions, triangles))).nearBoundaries;
+  for (const x of [2e12, 2 ** 50]) {
+    const square = [x, 0, 0, x + 1, 0, 0, x + 1, 1, 0, x, 1, 0];
+    assert.equal(await check(square, [0, 1, 2, 0, 2, 3]), null, `${x}`);
+  }
+  // The boundary of this sheet has an edge as long as the spacing of doubles there.
+  const y = 5e6;
+  const sheet = [0, y, 0, 10, y, 0, 10, y + 10, 0, 0, y + 10, 0, 10, y + 2 ** -30, 0];
+  assert.equal(await check(sheet, [0, 1, 4, 0, 4, 2, 0, 2, 3]), null);
+  // A slit there is found as well as at the origin.
+  const [positions, triangles] = slit(2 ** -12, 1);
+  const far = positions.map((value, i) => value + (i % 3 === 0 ? 1e9 : 0));
+  assert.equal((await check(far, triangles)).places.length / 3, 18);
+});
+
 test('degenerate triangles are no caps: the engine flips them away', async () => {
   // Vertex 3 lies on the edge from 0 to 1, up to rounding.
   const positions = [0, 0, 0, 3, 1, 0, 1, 2, 0, 0.9, 0.3, 0, 2, -2, 0];

@@ -23,10 +23,10 @@ const partOfEdge = 1 / 3;
 /** The least tolerance that is advised, relative to the diagonal. */
 const leastWeld = 1e-9;
 /**
- * The largest number of halvings of the width of cells. Vertices whose edges would need still
- * narrower cells lie in the narrowest ones.
+ * The largest number of halvings of the width of cells, such that doubles number all cells of the
+ * surface exactly. Vertices whose edges would need still narrower cells lie in the narrowest ones.
  */
-const mostLevels = 40;
+const mostLevels = 39;
 
 /**
  * The data of the search: the positions of vertices, the boundary, the length of the shortest edge
@@ -56,6 +56,8 @@ export async function nearBoundaries(
   const distance = (i: number, j: number) =>
     Math.sqrt((at(i, 0) - at(j, 0)) ** 2 + (at(i, 1) - at(j, 1)) ** 2 + (at(i, 2) - at(j, 2)) ** 2);
   const limitOf = (number: number) => Math.min(reach, partOfEdge * shortest[number]!);
+  /** Coordinates relative to a vertex, so that cells far from the origin have exact numbers, too. */
+  const fromFirst = (number: number, axis: number) => at(number, axis) - at(vertices[0]!, axis);
   // A cell is one to two times as wide as the limits of its vertices, so that few vertices share a
   // cell without being near each other.
   const levelOf = (limit: number) =>
@@ -70,7 +72,7 @@ export async function nearBoundaries(
     const width = reach / 2 ** level;
     const cell = cellKey(
       level,
-      ...([0, 1, 2].map((axis) => Math.floor(at(number, axis) / width)) as Cell),
+      ...([0, 1, 2].map((axis) => Math.floor(fromFirst(number, axis) / width)) as Cell),
     );
     next[k] = first.get(cell) ?? -1;
     first.set(cell, k);
@@ -91,7 +93,7 @@ export async function nearBoundaries(
       const width = reach / 2 ** level;
       const most = Math.min(limit, width);
       const [low, high] = [-most, most].map((by) =>
-        [0, 1, 2].map((axis) => Math.floor((at(number, axis) + by) / width)),
+        [0, 1, 2].map((axis) => Math.floor((fromFirst(number, axis) + by) / width)),
       ) as [Cell, Cell];
       for (let x = low[0]; x <= high[0]; x++) {
         for (let y = low[1]; y <= high[1]; y++) {
