@@ -178,6 +178,17 @@ test('seams that were not welded are coinciding boundaries', async () => {
   assert.equal((await checkUp(mesh)).nearBoundaries, null);
 });
 
+test('corners that nearly touch are offered no weld, since it would join nothing', async () => {
+  for (const gap of [1e-5, 1e-4]) {
+    const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, -gap, -gap, 0, -1, 0, 0, 0, -1, 0];
+    const triangles = [0, 1, 2, 3, 4, 5];
+    const mesh = karcher.meshFromArrays(positions, triangles);
+    assert.equal((await checkUp(mesh)).nearBoundaries, null, `a gap of ${gap}`);
+    const welded = karcher.meshFromArrays(positions, triangles, { weld: 2 * gap });
+    assert.equal(welded.info.components, 2);
+  }
+});
+
 test('vertices at the ends of a contracted edge are one', async () => {
   // A hemisphere in rows, whose first row is a pole of 8 vertices at one place.
   const [columns, rows] = [8, 4];

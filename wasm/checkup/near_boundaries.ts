@@ -42,8 +42,8 @@ interface Places {
 /**
  * Finds boundaries that nearly touch: a vertex of one boundary is near a vertex of the other. Their
  * distance is at most 1e-4 of the diagonal, and at most a third of the shortest edge at either
- * vertex. Two vertices at the same place must also have neighbors at the same place, since the
- * import does not weld vertices where parts only touch.
+ * vertex. Neighbors along the boundaries must be near each other, too, since the import does not
+ * weld vertices where parts only touch.
  */
 export async function nearBoundaries(
   { positions, boundary, shortest, diagonal }: Places,
@@ -56,7 +56,7 @@ export async function nearBoundaries(
   const distance = (i: number, j: number) =>
     Math.sqrt((at(i, 0) - at(j, 0)) ** 2 + (at(i, 1) - at(j, 1)) ** 2 + (at(i, 2) - at(j, 2)) ** 2);
   const limitOf = (number: number) => Math.min(reach, partOfEdge * shortest[number]!);
-  /** Coordinates relative to a vertex, so that cells far from the origin have exact numbers, too. */
+  /** A coordinate relative to a vertex, so that cells far from the origin have exact numbers. */
   const fromFirst = (number: number, axis: number) => at(number, axis) - at(vertices[0]!, axis);
   // A cell is one to two times as wide as the limits of its vertices, so that few vertices share a
   // cell without being near each other.
@@ -78,13 +78,10 @@ export async function nearBoundaries(
     first.set(cell, k);
   }
   const neighbours = await neighboursOf(ends, slices);
-  const touchesAlong = (i: number, j: number) =>
-    neighbours.get(i)!.some((a) => neighbours.get(j)!.some((b) => distance(a, b) === 0));
-  const isNear = (i: number, j: number) => {
-    const apart = distance(i, j);
-    if (apart > Math.min(limitOf(i), limitOf(j))) return false;
-    return apart > 0 || touchesAlong(i, j);
-  };
+  const areClose = (i: number, j: number) => distance(i, j) <= Math.min(limitOf(i), limitOf(j));
+  const isNear = (i: number, j: number) =>
+    areClose(i, j) &&
+    neighbours.get(i)!.some((a) => neighbours.get(j)!.some((b) => areClose(a, b)));
 
   /** The first other vertex that is near this one, or -1. */
   const nearTo = (number: number): number => {
