@@ -105,6 +105,54 @@ test('two opposite plates allow half of their gap', () => {
   assert.throws(() => thickened(both, 0), /must not be 0/);
 });
 
+test('faces that do not belong to a part have no say in its shell', () => {
+  const moved = (part, whole) => {
+    const faces = Array.from({ length: part.triangles.length / 3 }, (_, face) => face);
+    return thickened({ ...part, faces }, 0.1, whole).positions.slice(part.positions.length);
+  };
+  const joined = (one, other) => ({
+    positions: [...one.positions, ...other.positions],
+    triangles: [
+      ...one.triangles,
+      ...other.triangles.map((vertex) => vertex + one.positions.length / 3),
+    ],
+  });
+  const same = (values, wanted, what) =>
+    values.forEach((value, i) => {
+      assert.ok(Math.abs(value - wanted[i]) < 1e-12, `${what}: ${values}, not ${wanted}`);
+    });
+  const solid = {
+    positions: [0, 0, 0, 1, 0.1, 0.2, 0.3, 1, 0.1, 0.2, 0.3, 1.1],
+    triangles: [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3],
+  };
+  const cube = (x, y) => ({
+    positions: [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [x + (i & 1), y + ((i >> 1) & 1), i >> 2]),
+    triangles: [
+      ...[0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4],
+      ...[2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5],
+    ],
+  });
+  // Each face of the tetrahedron once more, turned over, with any of its corners first.
+  const tip = moved(solid, solid).slice(0, 3);
+  assert.ok(Math.max(...tip) < -0.05, `${tip}`);
+  for (let k = 0; k < 3; k++) {
+    const copies = solid.triangles.map((_, i, all) => all[i - (i % 3) + ((k + 2 * i) % 3)]);
+    const whole = { ...solid, triangles: [...solid.triangles, ...copies] };
+    same(moved(solid, whole), moved(solid, solid), `copies from corner ${k}`);
+  }
+  // Two cubes that touch along an edge, or at a corner.
+  const own = moved(cube(0, 0), cube(0, 0));
+  same(
+    own.slice(9, 12),
+    [1, 1, 0].map((x, k) => x + (k < 2 ? 1 : -1) * 0.1 * Math.sqrt(1 / 3)),
+    '',
+  );
+  same(moved(cube(0, 0), joined(cube(0, 0), cube(1, 1))), own, 'along an edge');
+  const above = cube(1, 1);
+  above.positions = above.positions.map((x, i) => x + (i % 3 === 2 ? 1 : 0));
+  same(moved(cube(0, 0), joined(cube(0, 0), above)), own, 'at a corner');
+});
+
 test('the command line cuts and thickens, and says what is allowed', async () => {
   const sphere = engine.shape('sphere', 2000);
   const surface = { positions: sphere.positions(), triangles: sphere.triangles() };

@@ -53,8 +53,10 @@ export function thickened(
   const { positions, triangles } = part;
   const count = positions.length / 3;
   const { faces } = part;
-  const shape = whole ? turnedLike(part, faces!, united(whole)) : { positions, triangles };
-  const shapeNormals = vertexNormals(shape.positions, shape.triangles);
+  const { shape, around } = whole
+    ? turnedLike(part, faces!, united(whole))
+    : { shape: part, around: triangles };
+  const shapeNormals = vertexNormals(shape.positions, around);
   const normals = whole ? carried(part, faces!, shape, shapeNormals) : shapeNormals;
   const bounding = whole ? facesOf(shape.triangles, faces!) : triangles;
   const moved = Float64Array.from(positions, (value, i) => value + thickness * normals[i]!);
@@ -101,9 +103,15 @@ function united({ positions, triangles }: Triangles): Triangles {
 
 /**
  * The whole mesh with the orientation of the part: at the part's faces, and at the other faces
- * around their corners as far as edges of two faces connect them with the part.
+ * around their corners as far as edges of two faces connect them with the part. These are also
+ * returned alone, since further faces at the same places belong to other fans. Of faces that lie on
+ * each other only one counts, as in the engine, which omits the others.
  */
-function turnedLike(part: Triangles, faces: ArrayLike<number>, whole: Triangles): Triangles {
+function turnedLike(
+  part: Triangles,
+  faces: ArrayLike<number>,
+  whole: Triangles,
+): { shape: Triangles; around: Int32Array } {
   const { positions } = whole;
   const triangles = Int32Array.from(whole.triangles);
   const turn = (face: number) => triangles.subarray(3 * face, 3 * face + 3).reverse();
@@ -124,12 +132,17 @@ function turnedLike(part: Triangles, faces: ArrayLike<number>, whole: Triangles)
     return corners.map((tail, k): [number, number] => [tail, corners[(k + 1) % 3]!]);
   };
   const keyOf = (a: number, b: number) => Math.min(a, b) * isCorner.length + Math.max(a, b);
+  const placeOf = (face: number) => `${cornersOf(triangles, 3 * face).sort((a, b) => a - b)}`;
+  const known = new Set(Array.from(agreement.keys(), placeOf));
   for (let face = 0; 3 * face < triangles.length; face++) {
-    if (agreement.has(face)) continue;
+    if (!cornersOf(triangles, 3 * face).some((vertex) => isCorner[vertex])) continue;
+    const place = placeOf(face);
+    if (known.has(place)) continue;
+    known.add(place);
     for (const [a, b] of edgesOf(face)) {
       if (!isCorner[a] && !isCorner[b]) continue;
-      const known = facesAt.get(keyOf(a, b));
-      if (known) known.push(face);
+      const others = facesAt.get(keyOf(a, b));
+      if (others) others.push(face);
       else facesAt.set(keyOf(a, b), [face]);
     }
   }
@@ -148,7 +161,7 @@ function turnedLike(part: Triangles, faces: ArrayLike<number>, whole: Triangles)
       reached.add(other);
     }
   }
-  return { positions, triangles };
+  return { shape: { positions, triangles }, around: facesOf(triangles, [...reached]) };
 }
 
 /** The triangles with these face numbers. A repeated number counts once. */
