@@ -93,6 +93,31 @@ test('karcher convert keeps them, even of a repaired mesh', async () => {
   }
 });
 
+test('karcher convert keeps the colors of parts that only touch', async () => {
+  // A red and a blue tetrahedron, each with a vertex of its own at the origin.
+  const solid = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
+  const corner = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+  const both = {
+    positions: [...corner, ...corner.map((value) => -value)],
+    triangles: [...solid, ...solid.map((vertex) => vertex + 4)],
+    colors: Uint8Array.from({ length: 24 }, (_, i) => (i % 3 === (i < 12 ? 0 : 2) ? 255 : 0)),
+  };
+  const from = folder.write('touching.ply', meshFile(both, 'ply'));
+  const to = join(folder.path, 'converted.ply');
+  for (const command of ['convert', 'repair']) {
+    await printed(command, from, '--out', to);
+    const { mesh, file } = await meshFromFile(engine, readFileSync(to));
+    const colors = (face) =>
+      [...mesh.triangles().slice(3 * face, 3 * face + 3)].map((v) =>
+        [...file.colors.slice(3 * v, 3 * v + 3)].join(),
+      );
+    for (let face = 0; face < 8; face++) {
+      const own = face < 4 ? '255,0,0' : '0,0,255';
+      assert.deepEqual(colors(face), [own, own, own], `${command}, face ${face}`);
+    }
+  }
+});
+
 test('invalid colors and parts are refused', () => {
   for (const [wrong, code] of [
     [{ colors: colors.slice(1) }, 'badArgument'],

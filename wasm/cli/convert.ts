@@ -89,19 +89,34 @@ function formatOf(args: Arguments): WrittenFormat {
 }
 
 /**
- * The colors of vertices, found by their positions, since repairs renumber the vertices. Vertices
- * at positions that the mesh's file does not have are white.
+ * The colors of vertices, found by their positions, since repairs renumber the vertices. A vertex
+ * has the color of a corner of the first of its faces, or else of another vertex at its place.
+ * Vertices at positions that the mesh's file does not have are white.
+ *
+ * `corners` has three vertices for each face of `faces`, which are those of the file.
  */
-function colorsAt(mesh: Mesh, colors: Uint8Array, positions: readonly number[]): Uint8Array {
-  const given = mesh.positions();
-  const place = (at: ArrayLike<number>, i: number) => `${at[i]} ${at[i + 1]} ${at[i + 2]}`;
+function colorsAt(
+  mesh: Mesh,
+  colors: Uint8Array,
+  positions: readonly number[],
+  corners: readonly number[],
+  faces: readonly number[],
+): Uint8Array {
+  const [given, triangles] = [mesh.positions(), mesh.triangles()];
+  const place = (at: ArrayLike<number>, vertex: number) =>
+    `${at[3 * vertex]} ${at[3 * vertex + 1]} ${at[3 * vertex + 2]}`;
   const known = new Map<string, number>();
-  for (let i = given.length - 3; i >= 0; i -= 3) known.set(place(given, i), i);
-  const white = [255, 255, 255];
-  const result = new Uint8Array(positions.length);
-  for (let i = 0; i < positions.length; i += 3) {
-    const vertex = known.get(place(positions, i));
-    result.set(vertex === undefined ? white : colors.subarray(vertex, vertex + 3), i);
+  for (let v = given.length / 3 - 1; v >= 0; v--) known.set(place(given, v), v);
+  const result = new Uint8Array(positions.length).fill(255);
+  // Of the faces at a vertex, the first is the last to set its color.
+  for (let i = corners.length - 1; i >= 0; i--) {
+    const face = 3 * faces[Math.floor(i / 3)]!;
+    const isHere = (v: number) =>
+      [0, 1, 2].every((k) => given[3 * v + k] === positions[3 * corners[i]! + k]);
+    const own = triangles.subarray(face, face + 3).find(isHere);
+    const vertex = own ?? known.get(place(positions, corners[i]!));
+    if (vertex === undefined) continue;
+    result.set(colors.subarray(3 * vertex, 3 * vertex + 3), 3 * corners[i]!);
   }
   return result;
 }
@@ -139,11 +154,12 @@ function surfaceOf(
       return numbers[before + vertex]!;
     }),
   );
+  const faces = triangles.map(({ face }) => face);
   return {
     positions: Float64Array.from(positions),
     triangles: Int32Array.from(corners),
-    colors: colors && colorsAt(mesh, colors, positions),
+    colors: colors && colorsAt(mesh, colors, positions, corners, faces),
     parts,
-    partOf: partOf && triangles.map(({ face }) => partOf[face]!),
+    partOf: partOf && faces.map((face) => partOf[face]!),
   };
 }
