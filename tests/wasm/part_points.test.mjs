@@ -151,6 +151,52 @@ test('a line between two points of a border lies on the part through which it ru
   mesh.dispose();
 });
 
+test('a line that leaves a part and comes back within a face belongs to no part', () => {
+  const surface = { positions: [0, 0, 0, 10, 0, 0, 0, 10, 0], triangles: [0, 1, 2] };
+  const mesh = engine.meshFromArrays(surface.positions, surface.triangles);
+  const at = ([x, y]) => ({ face: 0, bary: [1 - (x + y) / 10, x / 10, y / 10] });
+  const corners = [
+    [1, 1],
+    [2, 1],
+    [1, 2],
+  ];
+  const outline = [...corners, corners[0]].map(at);
+  const [inner, outer] = mesh.cut([outline]).sort((a, b) => solidOf(a).area - solidOf(b).area);
+  const counts = (from, to) => {
+    const path = mesh.shortestPath(at(from), at(to));
+    return [inner, outer].map((part) => curvesOnPart(part, surface, [{ path }]).length);
+  };
+  assert.deepEqual(counts([0, 1.3], [8.7, 1.3]), [0, 0], 'through the triangle');
+  assert.deepEqual(counts([0, 0.5], [9, 0.5]), [0, 1], 'beside it');
+  assert.deepEqual(counts([0, 1], [9, 1]), [0, 1], 'along its side');
+  assert.deepEqual(counts([0, 3], [3, 0]), [0, 1], 'along its long side');
+  assert.deepEqual(counts([1, 1], [1.5, 1.5]), [1, 0], 'inside');
+  // The open triangle has a place of the segment if the line cuts it between other lines.
+  const enters = (p, q) => {
+    let [low, high] = [0, 1];
+    for (const inside of [([x]) => x - 1, ([, y]) => y - 1, ([x, y]) => 3 - x - y]) {
+      const [start, end] = [inside(p), inside(q)];
+      if (start <= 0 && end <= 0) return false;
+      if (start < 0) low = Math.max(low, start / (start - end));
+      if (end < 0) high = Math.min(high, start / (start - end));
+    }
+    return low < high;
+  };
+  const border = () => {
+    const t = 10 * next();
+    return [
+      [0, t],
+      [t, 0],
+      [t, 10 - t],
+    ][Math.floor(3 * next())];
+  };
+  for (let i = 0; i < 200; i++) {
+    const [p, q] = [border(), border()];
+    assert.deepEqual(counts(p, q), [0, enters(p, q) ? 0 : 1], `from ${p} to ${q}`);
+  }
+  mesh.dispose();
+});
+
 test('karcher cut writes the curves along with the parts that they border', async () => {
   const mesh = engine.shape('sphere', 500);
   const name = folder.write('sphere.ply', meshFile(whole(mesh), 'ply'));

@@ -46,7 +46,7 @@ export function pointsOnPart(
   surface: Surface,
   points: readonly SurfacePoint[],
 ): (SurfacePoint | null)[] {
-  const find = finderOn(part, surface);
+  const { find } = finderOn(part, surface);
   return points.map((point) => find(weightsAt(surface, point)));
 }
 
@@ -60,8 +60,15 @@ const weightsAt = (surface: Surface, { face, bary }: SurfacePoint): Weights =>
 const cornersAt = (weights: Weights): number[] =>
   [...weights].filter(([, weight]) => weight > together).map(([corner]) => corner);
 
-/** A function that returns a place as a point of a part, or null if it lies elsewhere. */
-function finderOn(part: Part, surface: Surface): (weights: Weights) => SurfacePoint | null {
+/** Places on a part. */
+interface Finder {
+  /** A place as a point of the part, or null if it lies elsewhere. */
+  find(weights: Weights): SurfacePoint | null;
+  /** Whether the part has the whole segment between two places of a face. */
+  covers(from: Weights, to: Weights): boolean;
+}
+
+function finderOn(part: Part, surface: Surface): Finder {
   const cornersOf = (face: number) => cornersIn(surface, face);
   const trianglesOf = new Map<number, number[]>();
   part.faces.forEach((face, i) => {
@@ -96,15 +103,34 @@ function finderOn(part: Part, surface: Surface): (weights: Weights) => SurfacePo
     }
     return best;
   };
-  return (weights) => {
-    const [first, ...more] = cornersAt(weights).map((corner) => facesOf.get(corner) ?? []);
-    for (const face of first!) {
-      if (!more.every((faces) => faces.includes(face))) continue;
+  /** The part's faces that have all these corners. */
+  const facesWith = (corners: readonly number[]): number[] => {
+    const [first, ...more] = corners.map((corner) => facesOf.get(corner) ?? []);
+    return first!.filter((face) => more.every((faces) => faces.includes(face)));
+  };
+  const find = (weights: Weights) => {
+    for (const face of facesWith(cornersAt(weights))) {
       const one = found(weights, face);
       if (one && one.outside <= together) return one.point;
     }
     return null;
   };
+  const covers = (from: Weights, to: Weights) => {
+    const corners = [...new Set([...cornersAt(from), ...cornersAt(to)])];
+    const intervals = facesWith(corners).flatMap((face) => {
+      const [p, q] = [from, to].map((weights): Flat => {
+        const [, x, y] = cornersOf(face).map((corner) => weights.get(corner) ?? 0);
+        return [x!, y!];
+      });
+      return piecesIn(face).flatMap((piece) => intervalIn(piece, p!, q!) ?? []);
+    });
+    let reached = 0;
+    for (const { low, high } of intervals.sort((a, b) => a.low - b.low)) {
+      if (low <= reached + together) reached = Math.max(reached, high);
+    }
+    return reached >= 1 - together;
+  };
+  return { find, covers };
 }
 
 function addTo(lists: Map<number, number[]>, key: number, value: number): void {
@@ -124,8 +150,6 @@ interface Found {
  * outside, negative weights become 0.
  */
 function inPiece({ triangle: face, corners: [a, b, c] }: Piece, place: Flat): Found {
-  const across = (p: Flat, q: Flat, r: Flat) =>
-    (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   const whole = across(a, b, c);
   const sides = [
     [b, c],
@@ -142,6 +166,32 @@ function inPiece({ triangle: face, corners: [a, b, c] }: Piece, place: Flat): Fo
   const bary = weights.map((weight) => weight / sum) as [number, number, number];
   return { point: { face, bary }, outside: sum > 0 ? Math.max(0, ...outside) : Infinity };
 }
+
+/** A part of a segment; 0 is its start, and 1 its end. */
+interface Interval {
+  low: number;
+  high: number;
+}
+
+/** The part of a segment that lies in a triangle or on its border, or null if no part does. */
+function intervalIn({ corners: [a, b, c] }: Piece, from: Flat, to: Flat): Interval | null {
+  const way = Math.sign(across(a, b, c));
+  if (way === 0) return null;
+  let [low, high] = [0, 1];
+  for (const [p, q] of [[a, b] as const, [b, c] as const, [c, a] as const]) {
+    const length = Math.hypot(q[0] - p[0], q[1] - p[1]);
+    const inside = (place: Flat) => (way * across(p, q, place)) / length + together;
+    const [start, end] = [inside(from), inside(to)];
+    if (start < 0 && end < 0) return null;
+    if (start < 0) low = Math.max(low, start / (start - end));
+    if (end < 0) high = Math.min(high, start / (start - end));
+  }
+  return low <= high ? { low, high } : null;
+}
+
+/** Twice the area of a triangle, negative if its corners run clockwise. */
+const across = (p: Flat, q: Flat, r: Flat) =>
+  (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 
 const at = (of: ArrayLike<number>, vertex: number): Place => [
   of[3 * vertex]!,
@@ -169,7 +219,7 @@ export function curvesOnPart(
   surface: Surface,
   curves: readonly FileCurve[],
 ): FileCurve[] {
-  const find = finderOn(part, surface);
+  const { find, covers } = finderOn(part, surface);
   return curves.flatMap((curve) => {
     const { path, parameters } = curve;
     const places = path.points().map((point) => weightsAt(surface, point));
@@ -178,9 +228,9 @@ export function curvesOnPart(
       const next = points[i + 1];
       if (!point || !next) return false;
       if (point.face === next.face) return true;
-      const middle = middleOf(places[i]!, places[i + 1]!);
-      // The middle is unknown if the ends have no face in common.
-      return cornersAt(middle).length > 3 || find(middle) !== null;
+      const [from, to] = [places[i]!, places[i + 1]!];
+      // The places between are unknown if the ends have no face in common.
+      return new Set([...cornersAt(from), ...cornersAt(to)]).size > 3 || covers(from, to);
     });
     return runsOf(isOn).map(([first, end]): FileCurve => {
       const cut = <Values extends ArrayLike<number>>(values: Values) =>
@@ -192,13 +242,6 @@ export function curvesOnPart(
       };
     });
   });
-}
-
-function middleOf(a: Weights, b: Weights): Weights {
-  const corners = [...a.keys(), ...b.keys()];
-  return new Map(
-    corners.map((corner) => [corner, (a.get(corner) ?? 0) / 2 + (b.get(corner) ?? 0) / 2]),
-  );
 }
 
 /**
