@@ -298,6 +298,17 @@ test('each of several meshes has a line, and a failing one does not stop the oth
   assert.equal((await karcher('convert', plane, other, '--out', star)).status, 0);
   const written = readdirSync(folder.path).filter((name) => name.startsWith('copy_'));
   assert.deepEqual(written.sort(), ['copy_other.stl', 'copy_plane.stl']);
+  // A dollar sign in a mesh's name stays one.
+  const named = ['a$.glb', 'a$$.glb', "$'.glb"].map((name) => folder.write(name, ''));
+  for (const name of named) writeFileSync(name, glbFile(square));
+  const dollar = join(folder.path, 'dollar_*_.ply');
+  assert.equal((await karcher('convert', ...named, '--out', dollar)).status, 0);
+  assert.deepEqual(
+    readdirSync(folder.path)
+      .filter((name) => name.startsWith('dollar_'))
+      .sort(),
+    ['dollar_a$_.ply', 'dollar_a$$_.ply', "dollar_$'_.ply"].sort(),
+  );
   assert.match(await failure('convert', plane, other, '--out', 'a.stl'), /needs a '\*'/);
   assert.match(
     await failure('convert', plane, other, 'a/plane.ply', '--out', star),

@@ -85,7 +85,8 @@ export class Arguments {
     const value = this.#values.get(name) ?? option!.default!;
     if (this.meshes.length === 1 || name !== 'out' || this.#command.options.includes(outOption))
       return value;
-    return value.replaceAll('*', stemOf(this.#meshPath));
+    // A replacement given as text would read a dollar sign in it as a pattern.
+    return value.replaceAll('*', () => stemOf(this.#meshPath));
   }
 
   choice<Name extends string>(name: string): Name {
