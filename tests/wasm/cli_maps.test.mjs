@@ -364,6 +364,10 @@ test('medians and Huber’s means', async () => {
   const { position, converged } = await printed(...base, '--median');
   near(position, [4, 3, 0]);
   assert.equal(converged, true);
+  // The value is a mean of distances with --normalize, else their sum.
+  const sum = Math.hypot(3, 1) + Math.hypot(4, 1);
+  near([(await printed(...base, '--median')).value], [sum]);
+  near([(await printed(...base, '--median', '--normalize')).value], [sum / 3]);
   near((await printed(...base, '--huber-mean', '100')).position, [13 / 3, 7 / 3, 0], 1e-6);
   assert.match(await failure(...base, '--median', '--paths'), /--paths has no use with --median/);
   assert.match(await failure(...base, '--huber-mean', '-1'), /threshold must be positive/);

@@ -18,13 +18,20 @@ const ofMeansAlone = [
 const weightsFor = (points: readonly PointLike[], args: Arguments) =>
   args.given('weights') ? args.numbers('weights') : points.map(() => 1 / points.length);
 
+/** The weights divided by their sum, if the arguments say so. */
+function dividedWeights(weights: number[], args: Arguments): number[] {
+  const sum = weights.reduce((total, weight) => total + weight, 0);
+  // The call itself refuses weights whose sum is not positive.
+  return args.given('normalize') && sum > 0 ? weights.map((weight) => weight / sum) : weights;
+}
+
 async function robustMean(args: Arguments, kind: string, start: StartOptions): Promise<Result> {
   if (args.given('median')) args.refuse(['huber-mean'], 'with --median');
   args.refuse(ofMeansAlone, `with --${kind}`);
   const { huberMean, median } = await import('../statistics/index.js');
   const threshold = kind === 'huber-mean' ? args.number('huber-mean') : 0;
   const points = await args.points();
-  const weights = weightsFor(points, args);
+  const weights = dividedWeights(weightsFor(points, args), args);
   const mesh = await args.mesh();
   return {
     json: await (kind === 'median'
