@@ -245,6 +245,42 @@ describe('legs of the pen', () => {
     assert.deepEqual(legs(), [false, false, false]);
   });
 
+  test('beside an inserted anchor are stored only if they have points', async () => {
+    await drawnOut();
+    await release();
+    page.editor.setSettings({ samples: 8 });
+    await page.settled();
+    const { curve } = page.session.view;
+    const whole = length();
+    for (const part of [0.2, 0.8]) {
+      // Between the end and the new anchor, few samples remain.
+      const { samples } = curve;
+      const before = Math.floor(part * samples.count);
+      const near = [0, 1, 2].map((axis) => samples.position[3 * before + axis]);
+      await page.edits.atCurve('insert', near);
+      await page.settled();
+      isNear(length(), whole, 0.03);
+      assert.equal(figure().points.length, 3);
+      for (const { leg } of figure().points) assert.notEqual(leg?.length, 0);
+      const { drawing, method } = page.editor.state;
+      const link = page.formatLink('torus:2000', method, drawing);
+      const [read] = page.parseLink(link).drawing.objects;
+      assert.deepEqual(
+        read.figure.points.map(({ leg }) => leg?.length),
+        figure().points.map(({ leg }) => leg?.length),
+      );
+      const work = page.savedWork(link, drawing, page.editor.history);
+      const { history } = page.readWork(work, link);
+      assert.equal(
+        history.done.length,
+        page.editor.history.done.length,
+        'a reload keeps the steps',
+      );
+      page.editor.undo();
+      await page.settled();
+    }
+  });
+
   test('of an anchor that is drawn out belong to no earlier curve', async () => {
     const press = async (index, point) => {
       page.editor.preview({ type: 'insert', index, point });

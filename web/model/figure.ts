@@ -294,14 +294,18 @@ export function withParameter(
   return value === 1 ? rest : { ...rest, [name]: value };
 }
 
-/** The point with another path to the next point; the shortest is the default. */
+/**
+ * The point with another path to the next point. The shortest path, the default, is not stored, and
+ * neither is a path without points of its own, which is the shortest.
+ */
 export function withLeg(
   point: ControlPoint,
   leg: readonly SurfacePoint[] | null | undefined,
 ): ControlPoint {
-  if ((leg ?? undefined) === point.leg) return point;
+  const stored = leg?.length ? leg : undefined;
+  if (stored === point.leg) return point;
   const { leg: _, ...rest } = point;
-  return leg ? { ...rest, leg } : rest;
+  return stored ? { ...rest, leg: stored } : rest;
 }
 
 /**
