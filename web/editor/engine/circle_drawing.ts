@@ -55,8 +55,8 @@ async function radiusTo(
   rim: SurfacePoint,
 ): Promise<ShownRadius> {
   const path = await client.mesh.shortestPath(center, rim);
-  const polyline = path.polyline();
-  return { radius: path.length, direction: directionOf(polyline), rim, path: polyline };
+  const direction = directionOf(path.polyline({ bits: 64 }));
+  return { radius: path.length, direction, rim, path: path.polyline() };
 }
 
 async function radiusOf(

@@ -63,9 +63,9 @@ export class Ruler {
     const path = await client.mesh.shortestPath(from, to).catch(() => null);
     if (!path || this.#from !== from || (this.#to && this.#to !== to)) return;
     if (this.viewer.surface !== surface) return;
-    const line = path.polyline();
+    const line = path.polyline({ bits: 64 });
     const straight = Math.hypot(...[0, 1, 2].map((axis) => line.at(axis - 3)! - line[axis]!));
-    this.viewer.aids.showBand(surface.toScene(line));
+    this.viewer.aids.showBand(surface.toScene(path.polyline()));
     this.onChange({ along: path.length, straight }, true);
   }
 }
