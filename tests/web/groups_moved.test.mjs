@@ -64,6 +64,28 @@ describe('objects that move together', () => {
     assert.deepEqual(ids, [[1, 2, 7], [3, 4], [6]]);
   });
 
+  test('are aligned as one if they are the sources of a selected object', async () => {
+    const { alignedParts } = await pageModule('../../web/editor/engine/aligning.ts');
+    const objects = [1, 2, 3, 4, 6].map((id) => objectOf(id, [at(10 * id), at(10 * id + 3)]));
+    const union = objectOf(5, [], { kind: 'union', derived: { sources: [1, 2] } });
+    const partsOf = (chosen, grouped = []) => {
+      const all = [...objects, union].map((one) =>
+        grouped.includes(one.id) ? { ...one, group: 'Group 1' } : one,
+      );
+      const drawing = { objects: all, active: chosen.at(-1) };
+      const { figure } = all.find(({ id }) => id === drawing.active);
+      const state = { figure, selection: null, more: [], drawing, chosen, none: false };
+      return alignedParts(state).map((part) => part.map(({ id }) => id).sort());
+    };
+    const inOrder = (parts) => parts.sort(([a], [b]) => a - b);
+    assert.deepEqual(inOrder(partsOf([3, 4, 5])), [[1, 2], [3], [4]]);
+    assert.deepEqual(partsOf([5]), [], 'a union alone is one part');
+    assert.deepEqual(partsOf([5, 3]), [], 'and two parts lie on a line already');
+    assert.deepEqual(inOrder(partsOf([1, 5, 3, 4])), [[1, 2], [3], [4]], 'with a source of it');
+    assert.deepEqual(inOrder(partsOf([3, 5, 4, 6], [3, 5])), [[1, 2, 3], [4], [6]], 'in a group');
+    assert.deepEqual(inOrder(partsOf([1, 2, 3])), [[1], [2], [3]], 'the sources themselves');
+  });
+
   test('keep the shared places, and all sizes on a sphere', async () => {
     const objects = [
       objectOf(1, [at(5), at(9), at(14)]),

@@ -4,10 +4,11 @@
  */
 import type { SurfacePoint } from 'karcher';
 import type { Command } from '../../model/commands';
-import type { DrawnObject } from '../../model/drawing';
+import { type Drawing, type DrawnObject, objectOf } from '../../model/drawing';
 import { isRound, plain, withLeg } from '../../model/figure';
 import { withFittingLegs } from '../../model/legs';
 import { placesOf } from '../../model/moving';
+import { withSources } from '../../model/sources';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 import type { Editor } from '../state/editor';
@@ -22,7 +23,8 @@ import type { Session } from './session';
 export type Alignment = 'nearest' | 'even';
 
 /**
- * Objects that move as one: a single object, all objects of a group, or a point as its own figure.
+ * Objects that move as one: a single object, all objects of a group, all sources of a derived
+ * object, or a point as its own figure.
  */
 type Part = readonly DrawnObject[];
 
@@ -35,7 +37,7 @@ export function alignedParts(state: State): readonly Part[] {
   const parts =
     typeof selection === 'number' && more.length > 0 && !isRound(figure.kind)
       ? pointParts(state)
-      : wholes(movableObjects(drawing, selectedObjects(state)));
+      : wholes(drawing, selectedObjects(state));
   return parts.length < fewest ? [] : parts;
 }
 
@@ -52,14 +54,25 @@ function pointParts(state: State): Part[] {
   });
 }
 
-/** The objects as parts. A group is one part. */
-function wholes(objects: readonly DrawnObject[]): Part[] {
-  const parts = new Map<string | number, DrawnObject[]>();
-  for (const object of objects) {
-    const key = object.group ?? object.id;
-    parts.set(key, [...(parts.get(key) ?? []), object]);
-  }
-  return [...parts.values()];
+/**
+ * The movable ones of these objects and their sources, as parts. A group is one part, and so are
+ * the sources of a derived object; parts that have an object in common are one.
+ */
+function wholes(drawing: Drawing, ids: readonly number[]): Part[] {
+  const movable = movableObjects(drawing, ids);
+  const keyOf = (id: number) => objectOf(drawing, id)?.group ?? id;
+  return [...new Set(ids.map(keyOf))].reduce<Part[]>((parts, key) => {
+    const own = withSources(
+      drawing,
+      ids.filter((id) => keyOf(id) === key),
+    );
+    const [common, others] = [true, false].map((is) =>
+      parts.filter((part) => part.some(({ id }) => own.includes(id)) === is),
+    );
+    const all = new Set([...own, ...common!.flat().map(({ id }) => id)]);
+    const part = movable.filter(({ id }) => all.has(id));
+    return part.length > 0 ? [...others!, part] : parts;
+  }, []);
 }
 
 /** Aligns the selection, as one step; throws a sentence if that is impossible. */
