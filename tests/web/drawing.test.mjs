@@ -411,6 +411,19 @@ describe('a drawing', () => {
     assert.notEqual(json(editor), before);
   });
 
+  test('moves the only member of a group past another group', () => {
+    const { activeObject, apply, emptyDrawing, newObject, reordering } = page;
+    const { figure } = activeObject(emptyDrawing);
+    const drawingOf = (...groups) => ({
+      objects: groups.map((group, i) => ({ ...newObject(i + 1, figure), group })),
+      active: 1,
+    });
+    const idsAfter = (drawing, id, steps) =>
+      apply(drawing, reordering(drawing, id, steps)).objects.map((one) => one.id);
+    assert.deepEqual(idsAfter(drawingOf('A', 'B', 'B', null), 1, 1), [2, 3, 1, 4]);
+    assert.deepEqual(idsAfter(drawingOf(null, 'B', 'B', 'A'), 4, -1), [1, 4, 2, 3]);
+  });
+
   test(`keeps the members of a group together in every order, KARCHER_SEED=${seed}`, () => {
     const { activeObject, apply, arranging, emptyDrawing, newObject, reordering } = page;
     const { figure } = activeObject(emptyDrawing);

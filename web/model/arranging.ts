@@ -276,16 +276,17 @@ export function reordering(drawing: Drawing, id: number, steps: number): Command
   if (from < 0 || steps === 0) return null;
   const { group } = drawing.objects[from]!;
   const left = drawing.objects.toSpliced(from, 1);
+  // The only member of a group moves like an object without a group.
+  const isMember = group !== null && left.some((other) => other.group === group);
   const groupAt = (place: number) => left[place]?.group ?? null;
   const mayLie = (place: number) => {
     const [below, above] = [groupAt(place - 1), groupAt(place)];
-    const isAlone = left.every((other) => other.group !== group);
-    if (group !== null && !isAlone) return below === group || above === group;
+    if (isMember) return below === group || above === group;
     return below === null || below !== above;
   };
   const toward = Math.sign(steps);
   let to = Math.min(Math.max(from + steps, 0), left.length);
-  if (group !== null) while (to !== from && !mayLie(to)) to -= toward;
+  if (isMember) while (to !== from && !mayLie(to)) to -= toward;
   else while (to > 0 && to < left.length && !mayLie(to)) to += toward;
   return to === from ? null : { type: 'order', from, to };
 }
