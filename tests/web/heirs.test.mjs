@@ -32,6 +32,25 @@ describe('an object whose source is replaced', () => {
     assert.deepEqual(page.apply({ objects, active: 8 }, page.invert(command)), drawing);
   });
 
+  test('follows the pieces into which the source is split', async () => {
+    const points = [1, 40, 90].map((face) => ({ face, bary: [0.25, 0.25, 0.5] }));
+    const offset = { distance: 0.1, side: 'outwards' };
+    const beside = { ...of('offset', 1), derived: { sources: [1], offset } };
+    const to = drawingOf([{ ...figure, kind: 'polyline', points }, beside], 1);
+    page.editor.perform({ type: 'draw', from: page.editor.state.drawing, to });
+    const { curve } = await page.settled();
+    const middle = 3 * Math.floor(curve.samples.count / 2);
+    await page.edits.atCurve('split', [...curve.samples.position.subarray(middle, middle + 3)]);
+    const { drawing } = page.editor.state;
+    assert.deepEqual(
+      drawing.objects.map(({ id }) => id),
+      [1, 3, 2],
+    );
+    assert.deepEqual(sourcesIn(drawing, 2), [1, 3]);
+    page.editor.undo();
+    assert.deepEqual(page.editor.state.drawing, to);
+  });
+
   test('follows the curve that joins the source', async () => {
     const curve = (...faces) => ({
       ...figure,

@@ -218,7 +218,7 @@ export class CurveEdits {
 
   /**
    * Replaces the edited object by the first piece, and adds the other pieces above it in the same
-   * style.
+   * style. Objects derived from it are derived from all pieces.
    */
   #cut([first, ...rest]: readonly Spline[]): void {
     const { drawing, figure } = this.editor.state;
@@ -226,12 +226,17 @@ export class CurveEdits {
     const object = activeObject(drawing);
     const at = indexOf(drawing, object.id);
     const to = withSpline(figure, first);
+    const others = rest.map((piece, i) => {
+      return { ...object, id: freeId(drawing) + i, figure: withSpline(figure, piece) };
+    });
     const steps: Command[] = [
       { type: 'figure', id: object.id, edit: { type: 'replace', from: figure, to } },
-      ...rest.map((piece, i): Command => {
-        const made = { ...object, id: freeId(drawing) + i, figure: withSpline(figure, piece) };
-        return { type: 'add', index: at + 1 + i, object: made };
-      }),
+      ...others.map((other, i): Command => ({ type: 'add', index: at + 1 + i, object: other })),
+      ...inherited(
+        drawing,
+        object.id,
+        [object, ...others].map(({ id }) => id),
+      ),
     ];
     this.editor.perform({ type: 'steps', steps }, { selection: null });
   }
