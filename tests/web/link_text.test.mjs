@@ -192,6 +192,40 @@ describe('links', () => {
     }
   });
 
+  test('keep the sources of objects, even if objects below these are lost', () => {
+    const round = (radius) =>
+      `other=${encodeURIComponent(`kind=circle&circle=5,0.25,0.5;${radius},0,0,1`)}`;
+    const of = (kind, sources) => `other=${encodeURIComponent(`kind=${kind}&of=${sources}`)}`;
+    const [bad, small, large] = [round('bad'), round('0.5'), round('0.75')];
+    const read = (...fields) => link.parseLink(`mesh=sphere:500&${fields.join('&')}`).drawing;
+    const radiusOf = ({ objects }, id) =>
+      objects.find((one) => one.id === id).figure.circle.rim.radius;
+    // The edited union lies on three circles, of which the link loses the lowest.
+    const union = read('kind=union&of=2,3&place=3', bad, small, large);
+    assert.equal(union.objects.length, 3);
+    const { id, figure: edited } = drawing.activeObject(union);
+    assert.deepEqual([id, edited.derived.sources], [3, [1, 2]]);
+    assert.deepEqual([radiusOf(union, 1), radiusOf(union, 2)], [0.5, 0.75]);
+    // The edited circle lies between others, and the topmost object is derived from it.
+    const beside = read(
+      'kind=circle&circle=5,0.25,0.5;2,0,0,1&place=2',
+      bad,
+      small,
+      of('union', '3,2'),
+    );
+    assert.deepEqual(beside.objects[2].figure.derived.sources, [2, 1]);
+    assert.deepEqual([beside.active, radiusOf(beside, 2)], [2, 2]);
+    // Objects that are derived from the lost one alone are lost with it, to any depth.
+    const less = read(
+      'kind=circle&circle=5,0.25,0.5;2,0,0,1&place=3',
+      bad,
+      of('union', 1),
+      of('union', '2'),
+    );
+    assert.equal(less.objects.length, 1);
+    assert.equal(less.active, 1);
+  });
+
   test('count their wrong parts, and those beyond the surface', () => {
     const lost = (fields) => {
       const read = link.parseLink(`#mesh=torus:9&${fields}`);

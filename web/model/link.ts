@@ -32,6 +32,7 @@ import { linkProblems } from './link_problems';
 import { isMethod, type MethodId } from './methods';
 import { longestName, shortened } from './names';
 import { mostObjects } from './saved_drawing';
+import { withSourceIds } from './sources';
 import { formatView, parseView, type ViewPlace } from './view_place';
 
 export interface Link {
@@ -109,18 +110,12 @@ export function parseLink(fragment: string): Link | null {
   if (!mesh) return null;
   const method = fields.get('method');
   const others = fields.getAll('other').slice(0, mostObjects - 1);
-  const objects = others.flatMap(parseObjects).filter(({ figure }) => !isEmpty(figure));
-  const place = Math.min(objects.length, parseWhole(fields.get('place')) ?? 0);
-  const [active, ...hidden] = parseObjects(fragment);
-  objects.splice(place, 0, active!);
-  objects.push(...hidden);
+  const place = Math.min(others.length, parseWhole(fields.get('place')) ?? 0);
+  const texts = others.toSpliced(place, 0, fragment);
+  const drawing = numbered(texts.map(parseObjects), place);
   const all = [fragment, ...others];
   const said = all.reduce((sum, text) => sum + pointTexts(text).length, 0);
   const circles = all.filter((text) => new URLSearchParams(text).get('circle')).length;
-  const drawing = {
-    objects: objects.map((object, i) => ({ ...object, id: i + 1 })),
-    active: place + 1,
-  };
   const read = countPlaces(drawing);
   return {
     mesh,
@@ -129,6 +124,40 @@ export function parseLink(fragment: string): Link | null {
     view: parseView(fields.get('view') ?? ''),
     unread: { points: said - read.points, circles: circles - read.circles },
     problems: linkProblems(fragment),
+  };
+}
+
+/**
+ * The drawing of the objects in a link's texts, in their order. A source is the number of its text,
+ * even if the drawing lacks the objects of other texts, since all of their points are faulty. The
+ * hidden objects of the edited text lie on top.
+ */
+function numbered(texts: readonly (readonly DrawnObject[])[], place: number): Drawing {
+  const count = texts.length;
+  const objects = texts.flatMap(([object, ...hidden], i) => [
+    { ...object!, id: i + 1 },
+    ...(i === place ? [] : hidden),
+  ]);
+  const all = [...objects, ...texts[place]!.slice(1)].map((object, i) => ({
+    ...object,
+    id: object.id || count + i + 1,
+  }));
+  const active = place + 1;
+  const stays = ({ id, figure }: DrawnObject) => id === active || !isEmpty(figure);
+  let left: readonly DrawnObject[] = all;
+  do {
+    const there = left.filter(stays);
+    const ids = new Set(there.map(({ id }) => id));
+    left = there.map((one) => withSourceIds(one, (id) => (ids.has(id) ? id : undefined)));
+    // An object that has lost its last source is empty, too.
+  } while (!left.every(stays));
+  const numbers = new Map(left.map(({ id }, i) => [id, i + 1]));
+  return {
+    objects: left.map((one) => ({
+      ...withSourceIds(one, (id) => numbers.get(id)),
+      id: numbers.get(one.id)!,
+    })),
+    active: numbers.get(active)!,
   };
 }
 
