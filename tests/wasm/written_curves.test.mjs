@@ -149,6 +149,30 @@ describe('CSV', () => {
     }
   });
 
+  test('of a sphere has normals outwards, also where the import turned faces over', (t) => {
+    t.diagnostic(`seed ${seed}`);
+    const random = randomFrom(seed);
+    const shape = engine.shape('sphere', 1000);
+    const triangles = shape.triangles();
+    for (let first = 0; first < triangles.length; first += 3) {
+      if (random() < 0.3) triangles.subarray(first + 1, first + 3).reverse();
+    }
+    const turned = engine.meshFromArrays(shape.positions(), triangles);
+    assert.ok(turned.info.repairs.some(({ kind }) => kind === 'turnedOver'));
+    const path = turned.shortestPath({ vertex: 3 }, { vertex: 400 });
+    // The engine may turn all faces of the sphere over, but none alone.
+    const sides = rowsOf(curvesCsv([{ path }], turned))
+      .slice(1)
+      .map((row) => {
+        const [x, y, z, a, b, c] = row.map(Number);
+        return x * a + y * b + z * c;
+      });
+    assert.ok(
+      sides.every((side) => side * sides[0] > 0.9),
+      `${sides}`,
+    );
+  });
+
   test('of several curves names them, also by odd names', () => {
     const path = mesh.shortestPath({ vertex: 40 }, { vertex: 200 });
     const named = [{ name: 'a "b", c', path, parameters: [...path.lengths()] }, { path }];

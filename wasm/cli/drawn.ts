@@ -30,8 +30,8 @@ export function drawnFormat(
       ...curve,
       radius,
     }));
+    if (format === 'csv') return [curvesCsv(named, mesh)];
     const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
-    if (format === 'csv') return [curvesCsv(named, surface)];
     const shown = withSurface ? surface : { positions: [], triangles: [] };
     return [meshFile({ ...shown, curves: named }, format)];
   };

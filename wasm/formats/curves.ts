@@ -1,5 +1,6 @@
 import { shown } from '../check.js';
 import { KarcherError } from '../errors.js';
+import type { Mesh } from '../mesh.js';
 import type { CurveSamples, SurfacePoint } from '../types.js';
 
 /** The properties of a path that files need; a `Path` has them. */
@@ -39,20 +40,20 @@ export interface FileCurve {
  * row has a point of a path: its place, the normal of its face, the face, the barycentric weights
  * in it, and the length from the start. Numbers are written to the last bit. If a curve has
  * parameters, there is a column for parameters. If there are several curves, there is a column for
- * their names. `surface` has the positions and triangles of the curves' mesh.
+ * their names. `surface` is the curves' mesh, or its positions and triangles. The latter do not say
+ * which triangles the import has turned over, so that the normals of these are the opposite ones.
  *
  * Throws `KarcherError` badArgument and badIndex.
  *
  * @example
  * ```ts
- * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
- * const text = curvesCsv([{ path: curve.path() }], surface);
+ * const text = curvesCsv([{ path: curve.path() }], mesh);
  * console.log(text.split('\n')[0]); // x,y,z,normal_x,normal_y,normal_z,face,…
  * ```
  */
 export function curvesCsv(
   curves: readonly FileCurve[],
-  surface: { positions: ArrayLike<number>; triangles: ArrayLike<number> },
+  surface: Pick<Mesh, 'normal'> | { positions: ArrayLike<number>; triangles: ArrayLike<number> },
 ): string {
   const several = curves.length > 1;
   const hasParameters = curves.some(({ parameters }) => parameters);
@@ -72,12 +73,13 @@ export function curvesCsv(
     const polyline = path.polyline({ bits: 64 });
     const lengths = path.lengths();
     const label = cell(name ?? `curve ${number + 1}`);
-    points.forEach(({ face, bary }, i) => {
+    points.forEach((point, i) => {
+      const { face, bary } = point;
       rows.push(
         [
           ...(several ? [label] : []),
           ...polyline.subarray(3 * i, 3 * i + 3),
-          ...normalOfFace(surface, face),
+          ...('normal' in surface ? surface.normal(point) : normalOfFace(surface, face)),
           face,
           ...bary,
           lengths[i]!,

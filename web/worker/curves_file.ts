@@ -40,15 +40,15 @@ export async function curvesFile(
   marks: FileMarks | null,
 ): Promise<Uint8Array> {
   const { curvesCsv, meshFile, pathParameters } = await import('karcher/formats');
-  const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
   if (format === 'csv') {
     const rows = curves.map((curve) => {
       const path = pathOf(curve);
       const parameters = curve.samples && pathParameters(path, curve.samples);
       return { name: curve.name, path, parameters };
     });
-    return new TextEncoder().encode(curvesCsv(rows, surface));
+    return new TextEncoder().encode(curvesCsv(rows, mesh));
   }
+  const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
   const { colors = null, parts, partOf = null } = marks ?? {};
   const written = writtenCurves(curves, format, colors !== null);
   return meshFile({ ...surface, colors, parts, partOf, curves: written }, format);
