@@ -1,6 +1,7 @@
 import { sentenceOfUnknown, sorted, whole } from './dropped';
 import type { Session } from './editor/engine/session';
 import type { Editor } from './editor/state/editor';
+import type { HowOpened } from './editor/state/state';
 import { readJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
 import { type Example, examples } from './model/examples';
@@ -22,7 +23,7 @@ import {
   sameSurface,
   sampleSource,
 } from './model/meshes';
-import { methodOptions } from './model/methods';
+import { type MethodId, methodOptions } from './model/methods';
 import { drawingOnPart, placesOfDrawing } from './model/part_drawing';
 import type { SurfacePart } from './model/parts';
 import { sameDrawing } from './model/saved_work';
@@ -196,7 +197,7 @@ export class Opening {
     const { drawing, standIn } = this.editor.state;
     const { triangles } = viewer.showSurface(drawn);
     viewer.resetView({ animated: false });
-    this.#showDrawing(key, drawing, triangles, standIn);
+    this.#showDrawing(key, drawing, triangles, { standIn });
     this.onEnd();
   }
 
@@ -315,7 +316,7 @@ export class Opening {
   }
 
   /** Prepares a method; returns false after a failure or a cancellation. */
-  async prepare(method: Parameters<typeof methodOptions>[0]): Promise<boolean> {
+  async prepare(method: MethodId): Promise<boolean> {
     const client = this.session.client;
     if (!client) return false;
     const controller = new AbortController();
@@ -335,8 +336,9 @@ export class Opening {
   }
 
   async #openLink(link: Link, source: MeshSource): Promise<boolean> {
-    if (link.method) this.editor.setMethod(link.method);
-    const opened = await this.#open(link.mesh, source, wantedOf(link));
+    const opened = await this.#open(link.mesh, source, wantedOf(link), {
+      ...(link.method && { method: link.method }),
+    });
     if (opened && link.view) this.#viewer!.showPlace(link.view, { animated: false });
     return opened;
   }
@@ -352,7 +354,7 @@ export class Opening {
     key: string,
     source: MeshSource,
     wanted: Wanted,
-    { standIn } = { standIn: false },
+    how: HowOpened = {},
   ): Promise<boolean> {
     this.#running?.abort();
     const controller = new AbortController();
@@ -369,7 +371,7 @@ export class Opening {
       const [drawn, viewer] = await Promise.all([
         drawnGeometry(drawnMesh(client, key), signal),
         this.#viewerReady.promise,
-        client.mesh.prepare(methodOptions(this.editor.state.method), {
+        client.mesh.prepare(methodOptions(how.method ?? this.editor.state.method), {
           progress: (done, stage) => progress.set(0.4 + 0.6 * done, stageName(stage)),
           signal,
         }),
@@ -381,8 +383,9 @@ export class Opening {
       if (key !== this.editor.state.mesh) viewer.resetView({ animated: false });
       if (key !== this.editor.state.mesh) this.#restarts = 0;
       client.onStopped = () => this.#restart(source);
-      if (!standIn) this.#complaint?.remove();
-      this.#showDrawing(key, wanted(surface, before), surface.triangles, standIn);
+      if (!how.standIn) this.#complaint?.remove();
+      const drawing = wanted(surface, before);
+      this.#showDrawing(key, drawing, surface.triangles, how);
       return true;
     } catch (error) {
       client?.close();
@@ -403,7 +406,7 @@ export class Opening {
     this.#complaint = showError(sentence);
   }
 
-  #showDrawing(key: string, wanted: Drawing | null, triangles: number, standIn: boolean): void {
+  #showDrawing(key: string, wanted: Drawing | null, triangles: number, how: HowOpened): void {
     const kept = parseLink(recall(`document.${key}`) ?? '')?.drawing ?? emptyDrawing;
     const isFirst = this.editor.state.mesh === '';
     const starting = isFirst && wanted;
@@ -411,7 +414,7 @@ export class Opening {
     const history =
       starting && work && sameDrawing(wanted, work.link.drawing) ? work.history : null;
     const drawing = starting || fitting(kept, triangles);
-    this.editor.open(key, drawing, { standIn, history });
+    this.editor.open(key, drawing, { ...how, history });
     if (wanted) this.#replace(wanted);
     // The engine may be new, even if the drawing is not.
     this.session.update(this.editor.state);

@@ -202,6 +202,27 @@ describe('a page with a link', () => {
     await tab.close();
   });
 
+  test('for a file that cannot be opened changes nothing, not even the method', async () => {
+    const tab = await Tab.open(browser);
+    const text = 'v 0 0 0\nf 1 2 3\n';
+    const hash = [...text].reduce(
+      (sum, letter) => Math.imul(sum ^ letter.charCodeAt(0), 0x01000193),
+      0x811c9dc5,
+    );
+    const key = `file:${(hash >>> 0).toString(36)}-${text.length.toString(36)}:bad.obj`;
+    const { method, mesh } = await tab.state();
+    assert.notEqual(method, 'paper-ring');
+    const link = `mesh=${key}&kind=polyline&method=paper-ring&points=0,0.2,0.3;0,0.5,0.2`;
+    await tab.drop('waiting.json', JSON.stringify({ format: 'karcher-curve', version: 1, link }));
+    await tab.page.getByText('The curve is on bad.obj').waitFor();
+    await tab.drop('bad.obj', text);
+    await tab.page.getByText('bad.obj could not be opened').waitFor();
+    await tab.settled();
+    const after = await tab.state();
+    assert.deepEqual([after.mesh, after.method], [mesh, method]);
+    await tab.close();
+  });
+
   test('with a hidden object shows nothing of it, even after a refinement would be due', async () => {
     const points = '1,0.2,0.3;400,0.1,0.1;900,0.3,0.3;7,0.5,0.25';
     const own = `mesh=sphere:1500&kind=bspline&method=karcher&points=${points}`;

@@ -35,6 +35,7 @@ import { ObjectEdits, type PartOfStep } from './object_edits';
 import {
   changedState,
   firstState,
+  type HowOpened,
   noNumbers,
   type Selection,
   type State,
@@ -79,19 +80,16 @@ export class Editor {
   }
 
   /**
-   * Shows another surface with the last drawing on it. The first time, it shows the given drawing
-   * with the given history. Undo can still revert earlier steps on the surface.
+   * Shows another surface with the last drawing on it, by another method if one is given. The first
+   * time, it shows the given drawing with the given history. Undo can still revert earlier steps on
+   * the surface.
    */
-  open(
-    mesh: string,
-    drawing: Drawing,
-    { standIn = false, history }: { standIn?: boolean; history?: History | null } = {},
-  ): void {
+  open(mesh: string, drawing: Drawing, { history, ...how }: HowOpened = {}): void {
     this.cancelDrag();
     this.#drawings.set(this.#state.mesh, this.#state.drawing);
     const kept = this.#drawings.get(mesh) ?? drawing;
     if (history && !this.#drawings.has(mesh)) this.#histories.set(mesh, history);
-    const part = { mesh, drawing: kept, standIn, selection: null, chosen: [] };
+    const part = { mesh, drawing: kept, standIn: false, selection: null, chosen: [], ...how };
     this.begun.keep();
     this.#change({ ...part, tool: this.#resting }, true);
   }

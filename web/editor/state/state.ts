@@ -2,6 +2,7 @@ import type { CircleHandle } from '../../model/circle';
 import { type Command, onlyEditOf } from '../../model/commands';
 import { activeObject, type Drawing, emptyDrawing, indexOf } from '../../model/drawing';
 import type { Figure } from '../../model/figure';
+import type { History } from '../../model/history';
 import { defaultMethod, type MethodId } from '../../model/methods';
 import type { CurveTool } from './tool';
 
@@ -56,6 +57,9 @@ export function selectedObjects({ chosen, none, drawing }: State): readonly numb
   if (none) return [];
   return chosen.length > 0 ? chosen : [drawing.active];
 }
+
+/** The method by which a surface opens, whether it stands in for another, and its drawing's history. */
+export type HowOpened = Partial<Pick<State, 'standIn' | 'method'>> & { history?: History | null };
 
 /** The initial state. */
 export const firstState: State = {
