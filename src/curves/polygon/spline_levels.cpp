@@ -1,6 +1,8 @@
 #include "curves/polygon/spline_levels.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "curves/spec/knots.h"
@@ -39,6 +41,20 @@ Array<double> insertionRow(const Old& old, const Refined& refined, int degree, i
   }
   for (double& weight : row) weight /= sum;
   return row;
+}
+
+/// Knots of which halving can divide each nonempty span `levels` times. A span of a few units of
+/// the last place becomes longer at the cost of the next, which moves the curve by less than
+/// rounding.
+Array<double> divisible(Array<double> knots, int levels) {
+  const double units = std::ldexp(std::numeric_limits<double>::epsilon(), levels + 1);
+  double before = knots.front();
+  for (int k = 1; k < knots.count(); ++k) {
+    const bool isEmpty = std::exchange(before, knots[k]) == knots[k];
+    const double last = knots[k - 1];
+    knots[k] = isEmpty ? last : std::max(knots[k], last + units * std::abs(last));
+  }
+  return knots;
 }
 
 /// Inserts a knot in the middle of each span, and finds the parents of the new points.
@@ -141,7 +157,7 @@ void layOutLevels(const CurveShape& shape, int points, int levels, SplineWorkspa
   if (isKnown(shape, points, levels, workspace)) return;
   workspace.points = 0;
   workspace.levels.resize(static_cast<size_t>(levels) + 1);
-  Array<double> knots = knotsOf(shape, points);
+  Array<double> knots = divisible(knotsOf(shape, points), levels);
   resize(workspace.levels[0], points, shape);
   for (int level = 1; level <= levels; ++level) {
     const KnotHalving old(knots, pointsWith(knots, shape), shape.degree, shape.closed);
