@@ -332,6 +332,65 @@ TEST_F(CurveRefine, JoinsTouchingAndSeparateCurves) {
   EXPECT_NO_THROW(joined(bezier, bezier));
 }
 
+TEST_F(CurveRefine, AParameterBesideAJointMeansTheJoint) {
+  const CurveShape own{
+      CurveKind::kBSpline, true, 3, KnotRule::kOwn, {0.1, 0.15, 0.2, 0.25, 0.3, 0.4}};
+  for (const CurveShape& shape : {CurveShape{CurveKind::kBSpline, true}, own}) {
+    SCOPED_TRACE(describe(shape));
+    Curve curve = curveOf(shape, points(5));
+    const RefinedCurve refined = withPointOnCurve(curve, 0);
+    for (const double beside : {-1e-20, -1e-17, 1e-17, 5.0, std::nextafter(5.0, 0)}) {
+      const RefinedCurve more = withPointOnCurve(curve, beside);
+      EXPECT_EQ(more.curve.shape.knots, refined.curve.shape.knots) << beside;
+      EXPECT_EQ(more.point, refined.point) << beside;
+      for (int i = 0; i < 6; ++i) {
+        EXPECT_EQ(more.curve.points[i].bary, refined.curve.points[i].bary) << beside << ", " << i;
+      }
+      const Array<CurveParts> parts = splitAt(curve, beside);
+      ASSERT_EQ(parts.count(), 1);
+      Curve open = curveOf(parts[0].shape, parts[0].points);
+      ASSERT_EQ(open.segmentCount(), 5);
+      for (int i = 0; i <= 20; ++i) {
+        EXPECT_LT((at(open, i / 4.0) - at(curve, i / 4.0)).norm(), kPlane) << beside << ", " << i;
+      }
+    }
+  }
+  Curve curve = curveOf({CurveKind::kBSpline}, points());
+  for (const double joint : {0.0, 1.0, 2.0, 3.0}) {
+    for (const double end : {0.0, 3.0}) {
+      const double beside = std::nextafter(joint, joint == end ? 1.5 : end);
+      EXPECT_EQ(withPointOnCurve(curve, beside).curve.shape.knots,
+                withPointOnCurve(curve, joint).curve.shape.knots)
+          << inFull(beside);
+    }
+  }
+  for (const double end : {0.0, 3.0}) {
+    EXPECT_EQ(codeOf([&] { splitAt(curve, std::nextafter(end, 1.5)); }), ErrorCode::kBadArgument);
+  }
+}
+
+TEST_F(CurveRefine, ASpanWithoutANumberInsideIsSplitAtItsEnds) {
+  const double before = std::nextafter(2.0, 0);
+  Curve curve =
+      curveOf({CurveKind::kBSpline, false, 3, KnotRule::kOwn, {0, 0, 0, 0, 1, before, 2, 2, 2, 2}},
+              points());
+  ASSERT_EQ(curve.segmentCount(), 3);
+  EXPECT_EQ(codeOf([&] { splitAt(curve, 2.5); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(splitAt(curve, 2).count(), 2);
+}
+
+TEST_F(CurveRefine, ClosedKnotsMayRepeatTheFirstKnotAtTheirEnd) {
+  Curve curve =
+      curveOf({CurveKind::kBSpline, true, 3, KnotRule::kOwn, {0, 1, 1.5, 4, 5, 6, 6}}, points());
+  ASSERT_EQ(curve.segmentCount(), 5);
+  const Array<CurveParts> parts = splitAt(curve, 0);
+  Curve open = curveOf(parts[0].shape, parts[0].points);
+  ASSERT_EQ(open.segmentCount(), 5);
+  for (int i = 0; i <= 20; ++i) {
+    EXPECT_LT((at(open, i / 4.0) - at(curve, i / 4.0)).norm(), kPlane) << i;
+  }
+}
+
 TEST_F(CurveRefine, OnACurvedSurfaceTheNewPointsStayNear) {
   Surface bunny(bunnyMesh());
   Array<SurfacePoint> where;

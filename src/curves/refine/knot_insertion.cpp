@@ -76,18 +76,17 @@ int insertAround(const Geometry& geometry, ControlPolygon& polygon, double u) {
 
 /// Inserts u until the curve passes through a control point there.
 void insertFully(const Geometry& geometry, ControlPolygon& polygon, double u) {
-  while (multiplicity(polygon, u) < polygon.degree) insertKnot(geometry, polygon, u);
+  for (int k = multiplicity(polygon, u); k < polygon.degree; ++k) insertKnot(geometry, polygon, u);
 }
 
 }  // namespace
 
 int multiplicity(const ControlPolygon& polygon, double knot) {
   const Array<double>& knots = polygon.knots;
+  const auto repeats = std::count(knots.begin(), knots.end(), knot);
+  if (!polygon.closed || knot != knots.front()) return static_cast<int>(repeats);
   // The last knot of a closed curve is its first.
-  const auto end = knots.end() - (polygon.closed ? 1 : 0);
-  const double period = polygon.closed ? knots.back() - knots.front() : 0;
-  const double inside = polygon.closed && knot == knots.back() ? knot - period : knot;
-  return static_cast<int>(std::count(knots.begin(), end, inside));
+  return static_cast<int>(repeats + std::count(knots.begin(), knots.end(), knots.back()) - 1);
 }
 
 int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u) {
@@ -179,19 +178,18 @@ ControlPolygon cutOpen(const Geometry& geometry, ControlPolygon closed, double u
   const int p = closed.degree;
   const int n = countOf(closed);
   const double period = closed.knots.back() - closed.knots.front();
-  const double start = u == closed.knots.back() ? u - period : u;
-  const auto beyond = std::upper_bound(closed.knots.begin(), closed.knots.end(), start);
-  // The last span that starts at `start` blends the points from index `span` on.
+  const auto beyond = std::upper_bound(closed.knots.begin(), closed.knots.end(), u);
+  // The last span that starts at u blends the points from index `span` on.
   const int span = static_cast<int>(beyond - closed.knots.begin()) - 1;
   ControlPolygon open;
   open.degree = p;
   for (int i = span; i <= span + n; ++i) open.points.push_back(closed.points[i % n]);
   for (int i = span; i < span + n; ++i) open.legs.push_back(closed.legs[i % n]);
-  open.knots.assign(static_cast<size_t>(p) + 1, start);
+  open.knots.assign(static_cast<size_t>(p) + 1, u);
   for (int j = span + 1; j <= span + n - p; ++j) {
     open.knots.push_back(knotOfSpan(closed.knots, p, true, j));
   }
-  open.knots.insert(open.knots.end(), static_cast<size_t>(p) + 1, start + period);
+  open.knots.insert(open.knots.end(), static_cast<size_t>(p) + 1, u + period);
   return open;
 }
 

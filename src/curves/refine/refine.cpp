@@ -81,16 +81,25 @@ CurveParts alike(const Curve& curve, CurveParts parts) {
   return parts;
 }
 
-/// The knot of a B-spline at a parameter; segments are the nonempty spans.
+/// The segment parameter of a parameter. Beside a joint within rounding, it is that of the joint.
+SegmentParameter snappedParameter(const Curve& curve, double parameter) {
+  SegmentParameter at = segmentParameter(curve, parameter);
+  if (at.t <= kLocalRounding) at.t = 0;
+  if (at.t >= 1 - kLocalRounding) at.t = 1;
+  return at;
+}
+
+/// The knot of a B-spline at a parameter; segments are the nonempty spans. For the end of a closed
+/// curve it is the first knot.
 double knotAtParameter(const ControlPolygon& polygon, const SegmentParameter& at) {
   const auto knot = [&](int j) {
     return knotOfSpan(polygon.knots, polygon.degree, polygon.closed, j);
   };
   int span = -1;
   for (int segment = -1; segment < at.segment;) segment += knot(span + 2) > knot(span + 1), ++span;
-  if (at.t == 0) return knot(span);
-  if (at.t == 1) return knot(span + 1);
-  return knot(span) + at.t * (knot(span + 1) - knot(span));
+  const double end = knot(span + 1);
+  const double u = at.t == 1 ? end : knot(span) + at.t * (end - knot(span));
+  return polygon.closed && u == polygon.knots.back() ? polygon.knots.front() : u;
 }
 
 /// The polygon of a Bezier curve. If the curve is closed, its polygon ends at the first point.
@@ -266,8 +275,8 @@ Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first
   return first;
 }
 
-/// Joins two clamped B-splines of the same degree to one. If they do not meet, a geodesic connects
-/// them.
+/// Joins two B-splines of the same degree to one, the first clamped at its end, the second at its
+/// start. If they do not meet, a geodesic connects them.
 ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& first,
                               const ControlPolygon& second) {
   const int p = first.degree;
@@ -320,7 +329,7 @@ CurveParts joinedSplines(const Curve& first, const Curve& second, ControlPolygon
 }  // namespace
 
 RefinedCurve withPointOnCurve(Curve& curve, double parameter) {
-  const SegmentParameter at = segmentParameter(curve, parameter);
+  const SegmentParameter at = snappedParameter(curve, parameter);
   const CurveShape& shape = curve.shape();
   const Geometry& geometry = curve.surface().geometry();
   if (shape.kind == CurveKind::kOwn) refuseOwnBasis();
@@ -372,7 +381,7 @@ RefinedCurve withPointOnCurve(Curve& curve, double parameter) {
 }
 
 Array<CurveParts> splitAt(Curve& curve, double parameter) {
-  const SegmentParameter at = segmentParameter(curve, parameter);
+  const SegmentParameter at = snappedParameter(curve, parameter);
   const CurveShape& shape = curve.shape();
   const Geometry& geometry = curve.surface().geometry();
   if (shape.kind == CurveKind::kOwn) refuseOwnBasis();
@@ -381,13 +390,19 @@ Array<CurveParts> splitAt(Curve& curve, double parameter) {
   const bool onePiece = isBezier(shape.kind) || shape.kind == CurveKind::kBarycentric;
   // A closed curve of one segment begins and ends at the same point, where it is continuous but not
   // smooth.
-  if ((!shape.closed || onePiece) && (atStart || atEnd)) {
+  const auto refuseEnd = [&] {
     refuse("the curve cannot be split at " + inSentence(parameter) +
            ", its end; it runs from 0 to " + std::to_string(curve.segmentCount()));
-  }
+  };
+  if ((!shape.closed || onePiece) && (atStart || atEnd)) refuseEnd();
   if (shape.kind == CurveKind::kBSpline) {
     const ControlPolygon polygon = polygonOf(curve);
     const double knot = knotAtParameter(polygon, at);
+    // A knot inside a tiny span at an end may round to the end.
+    if (!shape.closed &&
+        (knot == polygon.knots[shape.degree] || knot == polygon.knots[curve.pointCount()])) {
+      refuseEnd();
+    }
     if (shape.closed) return {alike(curve, partsOf(cutOpen(geometry, polygon, knot)))};
     return {alike(curve, partsOf(partBefore(geometry, polygon, knot))),
             alike(curve, partsOf(partAfter(geometry, polygon, knot)))};
