@@ -391,6 +391,14 @@ TEST_F(CurveRefine, ClosedKnotsMayRepeatTheFirstKnotAtTheirEnd) {
   }
 }
 
+TEST_F(CurveRefine, AGeodesicBetweenJoinedCurvesTakesTheMeanSpan) {
+  const Array<SurfacePoint> all = points();
+  Curve first = curveOf({CurveKind::kBSpline}, {all[0], all[1], all[2], all[3]});
+  Curve second = curveOf({CurveKind::kBSpline}, {all[5], all[4], all[2], all[1]});
+  EXPECT_EQ(joined(first, second).shape.knots,
+            Array<double>({-3, -2, -1, 0, 1, 1, 1, 2, 2, 2, 3, 4, 5, 6}));
+}
+
 TEST_F(CurveRefine, OnACurvedSurfaceTheNewPointsStayNear) {
   Surface bunny(bunnyMesh());
   Array<SurfacePoint> where;

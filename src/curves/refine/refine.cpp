@@ -301,7 +301,7 @@ ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& fi
           averageOn(*geometry.mesh, between, (1 - s) * from.weight, s * to.weight).point);
     }
     // The new span has the mean length of the first curve's spans.
-    start += (first.knots.back() - first.knots.front()) / (first.knots.count() - 2 * p - 1);
+    start += (first.knots.back() - first.knots[p]) / (first.knots.count() - 2 * p - 1);
     result.knots.insert(result.knots.end(), static_cast<size_t>(p), start);
   }
   result.points.insert(result.points.end(), points.begin() + (meet ? 1 : 0), points.end());
