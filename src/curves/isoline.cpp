@@ -23,7 +23,7 @@ class LinearIsolines {
     for (const bool fromBoundary : {true, false}) {
       for (int f = 0; f < mesh_.faceCount(); ++f) {
         if (visited_[f]) continue;
-        const int entry = crossedHalfedge(f, false);
+        const int entry = crossedHalfedge(f, true);
         if (entry >= 0 && (!fromBoundary || mesh_.twin[entry] < 0)) follow(entry);
       }
     }
@@ -67,7 +67,7 @@ class LinearIsolines {
         break;
       }
       visited_[face] = 1;
-      const int exit = crossedHalfedge(face, true);
+      const int exit = crossedHalfedge(face, false);
       const SurfacePoint point = crossing(exit);
       longestEdge = std::max(longestEdge, edgeLength(exit));
       line.length += (position(mesh_, point) - position(mesh_, line.points.back())).norm();

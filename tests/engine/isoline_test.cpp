@@ -210,6 +210,27 @@ TEST(Isoline, LinearIsolinesAreClosedOnAClosedSurface) {
   expectSound(mesh, lines, 0.1);
 }
 
+TEST(Isoline, LinearIsolinesHaveSmallerValuesOnTheirLeft) {
+  const TriangleMesh mesh = planeGrid(12, 12);
+  const Vec3 center(5.3, 6.2, 0);
+  Array<double> values;
+  for (const Vec3& p : mesh.positions) values.push_back((p - center).norm());
+  // Around the center lines run counterclockwise, also those that end on the boundary.
+  for (const double radius : {0.7, 3.1, 6.8}) {
+    const Array<Isoline> lines = linearIsolines(mesh, values, radius);
+    ASSERT_FALSE(lines.empty());
+    for (const Isoline& line : lines) {
+      double turned = 0;
+      for (int i = 1; i < line.points.count(); ++i) {
+        const Vec3 a = position(mesh, line.points[i - 1]) - center;
+        const Vec3 b = position(mesh, line.points[i]) - center;
+        turned += a.x() * b.y() - a.y() * b.x();
+      }
+      EXPECT_GT(turned, 0) << radius;
+    }
+  }
+}
+
 TEST(Isoline, RefusesInvalidDistances) {
   const TriangleMesh mesh = planeGrid(3, 3);
   const Geometry geometry = buildGeometry(mesh);
