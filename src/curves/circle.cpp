@@ -344,7 +344,9 @@ int samplesOfArcs(const Array<double>& directions, int samples) {
     widest = std::max(widest, directions[j + 1] - directions[j]);
   }
   const double part = widest * kFirstArcs / directions.back();
-  return std::max(std::min(kFewestSamples, samples), static_cast<int>(std::ceil(part * samples)));
+  // Rounding must not add a sample.
+  const double wanted = std::ceil((1 - kLocalRounding) * part * samples);
+  return std::max(std::min(kFewestSamples, samples), static_cast<int>(wanted));
 }
 
 [[noreturn]] void throwTooFew(int count, const Center& from, const std::string& reason) {

@@ -204,6 +204,21 @@ TEST(Circle, OfFittingArcsOnTheSphereIsTheParallel) {
   }
 }
 
+TEST(Circle, OfSevenEqualArcsAroundACornerHasTheSamplesOfOneInThePlane) {
+  // The total angle at a cube's corner is three quarters of a turn.
+  Surface surface(
+      buildMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}},
+                {{0, 4, 1}, {0, 2, 4}, {0, 1, 5}, {0, 5, 3}, {0, 6, 2}, {0, 3, 6}}));
+  for (const int samples : {32, 200}) {
+    CircleOptions options;
+    options.samples = samples;
+    const GeodesicCircle circle =
+        traceCircle(surface, vertexPoint(surface.mesh(), 0), 0.3, options);
+    ASSERT_EQ(circle.samples.count(), 7);
+    for (const Array<CurveSample>& arc : circle.samples) EXPECT_EQ(arc.count(), samples);
+  }
+}
+
 TEST(Circle, ReportsItsDeviationFromTheRadius) {
   // The circle is rough and beyond the cut locus: no number of arcs keeps to the radius everywhere.
   const TriangleMesh smooth = importMesh(makeShape(Shape::kTorus, 2000)).mesh;
