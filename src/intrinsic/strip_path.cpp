@@ -86,4 +86,24 @@ double appendShorterStripPath(const Geometry& geometry, const SurfacePoint& from
   return tightening.append(out);
 }
 
+Array<int> pointsWithoutRepetitions(const TriangleMesh& mesh, const Array<SurfacePoint>& points) {
+  // The positions of one point, computed in two faces, differ by rounding.
+  constexpr double kSamePoint = 1e-13;
+  Array<int> kept;
+  Vec3 last = Vec3::Zero();
+  for (int i = 0; i < points.count(); ++i) {
+    const Vec3 here = position(mesh, points[i]);
+    const double scale = here.cwiseAbs().maxCoeff();
+    const bool same = i > 0 && (here - last).cwiseAbs().maxCoeff() <= kSamePoint * scale;
+    const bool isLast = i == points.count() - 1;
+    const bool needed =
+        same &&
+        (isLast ? kept.count() < 2 : !haveCommonFace(mesh, points[kept.back()], points[i + 1]));
+    if (same && !needed) continue;
+    kept.push_back(i);
+    last = here;
+  }
+  return kept;
+}
+
 }  // namespace karcher

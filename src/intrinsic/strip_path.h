@@ -76,4 +76,8 @@ inline bool haveCommonFace(const TriangleMesh& mesh, const SurfacePoint& a, cons
   return commonFace(mesh, a, b) >= 0;
 }
 
+/// The indices of the points of a path without those at the place of the point before. Such a point
+/// stays if it alone joins its neighbors, which lie in different faces.
+Array<int> pointsWithoutRepetitions(const TriangleMesh& mesh, const Array<SurfacePoint>& points);
+
 }  // namespace karcher

@@ -239,6 +239,35 @@ TEST(ShortestPath, IsTheSameBothWaysInCapsAndNeedlesBesideItsStart) {
   }
 }
 
+TEST(ShortestPath, WithoutRepetitionsStillLeadsFromFaceToFace) {
+  // The edges 2 5 and 2 4 meet at the start. The path crosses both within rounding.
+  const TriangleSoup soup{{{0, 0, 0},
+                           {1, 0, 0},
+                           {0.6075177621096373, 1, 0.23755574482493103},
+                           {0.2122226911596954, -1, -0.288929435191676},
+                           {0.9247899914971821, 0.1370455227153397, 0.03255595122356453},
+                           {0.9018583033728542, 0.24437562600434476, 0.0580528338525209},
+                           {0.02149210091693138, -0.00008080110263404357, -0.000023345816946918857},
+                           {0.03590007797937639, -0.00959288533161729, -0.0027716669407226967}},
+                          {{1, 2, 5},
+                           {0, 3, 6},
+                           {2, 0, 4},
+                           {0, 1, 4},
+                           {2, 4, 5},
+                           {4, 1, 5},
+                           {6, 3, 7},
+                           {1, 0, 6},
+                           {3, 1, 7},
+                           {1, 6, 7}}};
+  const MeasuredMesh on(soup);
+  const SurfacePath path =
+      shortestPath(on.geometry, vertexPoint(on.mesh, 2), vertexPoint(on.mesh, 6));
+  const Array<int> kept = pointsWithoutRepetitions(on.mesh, path.points);
+  for (int i = 1; i < kept.count(); ++i) {
+    EXPECT_TRUE(haveCommonFace(on.mesh, path.points[kept[i - 1]], path.points[kept[i]])) << i;
+  }
+}
+
 TEST(ShortestPath, RefusesPointsOnSeveralComponents) {
   const TriangleMesh mesh = twoGrids();
   const Geometry geometry = buildGeometry(mesh);

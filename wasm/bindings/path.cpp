@@ -1,28 +1,23 @@
 #include "bindings/path.h"
 
+#include "intrinsic/strip_path.h"
+
 namespace karcher::bindings {
 
 Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& mesh,
                   const Array<SurfacePoint>& points, double length) {
-  // The positions of one point, computed in two faces, differ by rounding.
-  constexpr double kSamePoint = 1e-13;
-  Array<int> kept;
+  Array<int> kept = pointsWithoutRepetitions(mesh, points);
   Array<double> chords;
   double whole = 0;
   Vec3 last = Vec3::Zero();
-  for (int i = 0; i < points.count(); ++i) {
+  for (const int i : kept) {
     const Vec3 here = position(mesh, points[i]);
-    const double scale = here.cwiseAbs().maxCoeff();
-    const bool same = i > 0 && (here - last).cwiseAbs().maxCoeff() <= kSamePoint * scale;
-    const bool needed = kept.count() < 2 && i == points.count() - 1;
-    if (same && !needed) continue;
     if (i > 0) whole += (here - last).norm();
     chords.push_back(whole);
     const SurfacePoint input = toInput(numbering, points[i]);
     path.faces.push_back(input.face);
     append(path.bary, input.bary);
     append(path.positions, here);
-    kept.push_back(i);
     last = here;
   }
   // Chords are shorter than arcs, and lengths have rounding errors. So all chords are stretched by
