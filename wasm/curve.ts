@@ -109,7 +109,7 @@ export class Curve {
     const set = () => this.#handle.call((curve) => curve.set(next, wanted));
     const bytes = basis ? basis.guard(set) : set();
     this.#options = { ...value };
-    if (value.basis !== undefined) this.#basis = basis;
+    this.#basis = basis;
     this.#parts = undefined;
     return this.#seen(bytes);
   }
@@ -347,8 +347,7 @@ export class Curve {
   /** Reverses the curve, and mirrors its own basis. A closed curve keeps its first point. */
   reverse(): void {
     this.#edit('reverse');
-    if (!this.#basis) return;
-    this.#options = { ...this.#options, basis: mirrored(this.#options.basis, this.#basis) };
+    this.#options = { ...this.#options, basis: mirrored(this.#options.basis) };
   }
 
   /**

@@ -60,11 +60,9 @@ export function ownBasis(basis: CurveBasis | undefined, known?: OwnBasis): OwnBa
   return { ...callback(weights, new Float64Array()), of: basis };
 }
 
-/** The basis of the reversed curve. `basis` is the caller's function `of`, or that one mirrored. */
-export function mirrored(basis: CurveBasis | undefined, { of }: OwnBasis): CurveBasis | undefined {
-  if (basis !== of) return basis && of;
-  return (t, points) => Array.from(of(1 - t, points)).reverse();
-}
+/** The basis of the reversed curve. */
+export const mirrored = (basis: CurveBasis | undefined): CurveBasis | undefined =>
+  basis && ((t, points) => Array.from(basis(1 - t, points)).reverse());
 
 /** The options for sampling and drawing a curve, in the engine's form. */
 function engineSampling(options: CurveOptions): EngineSampling {
