@@ -119,6 +119,7 @@ void Curve::set(CurveValue value) {
     // With other field options no part of the curve stays valid. The curve must release its fields
     // before it releases their set.
     Curve other(fieldSets_, std::move(next_.value), clock_);
+    other.fieldsMade_ += fieldsMade_;
     segments_.clear();
     *this = std::move(other);
     return;

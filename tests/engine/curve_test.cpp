@@ -166,6 +166,18 @@ TEST(Curve, TimesOfStagesSumToTheWholeTime) {
   }
 }
 
+TEST(Curve, CountsItsFieldsAcrossOtherFieldOptions) {
+  Surface surface(planeGrid(8, 8));
+  Array<SurfacePoint> points;
+  for (const int vertex : {10, 20, 30, 40}) points.push_back(vertexPoint(surface.mesh(), vertex));
+  Curve curve(surface, ofLevelZero({CurveKind::kBezier}, 5, kFast), points);
+  EXPECT_EQ(curve.fieldsMade(), 4);
+  CurveValue value = curve.value();
+  value.options.field = kExact;
+  curve.set(value);
+  EXPECT_EQ(curve.fieldsMade(), 8);
+}
+
 TEST(Curve, RefusesInvalidCurvesAndKeepsItsValue) {
   Surface surface(planeGrid(10, 10));
   const Array<SurfacePoint> points =
