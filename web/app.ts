@@ -15,7 +15,7 @@ import { Ruler } from './editor/hand/ruler';
 import { Editor } from './editor/state/editor';
 import type { State } from './editor/state/state';
 import { exposeState } from './inspection';
-import { styleOf } from './model/drawing';
+import { type DrawnObject, styleOf } from './model/drawing';
 import { isEmpty } from './model/figure';
 import { formatLink } from './model/link';
 import { meshLabel, readAs } from './model/meshes';
@@ -64,9 +64,9 @@ import { checkedUp } from './worker/checkup';
 /** Lets the browser send its requests before work that blocks the page. */
 const breathe = () => new Promise((resolve) => setTimeout(resolve));
 
-/** The drawing, in the scene, of an object other than the edited one. */
+/** The drawing, in the scene, of an object in its drawn form. */
 function drawingOf(
-  { id, style, locked, lines, points, center }: Beside,
+  { id, style, locked, lines, points, center }: Omit<Beside, 'region' | 'cut'>,
   viewer: Viewer,
 ): ObjectDrawing {
   const surface = viewer.surface!;
@@ -76,6 +76,14 @@ function drawingOf(
     lines: lines.map((line) => surface.toScene(line)),
     dots: single.map((point) => surface.position(point)),
   };
+}
+
+/** The dots of the edited object, if it consists of single points; other kinds have lines. */
+function ownDots({ active }: Editor, viewer: Viewer): ObjectDrawing[] {
+  const { id, visible, locked, figure } = active;
+  if (figure.kind !== 'points' || !visible || !viewer.surface) return [];
+  const drawn = { id, style: styleOf(active), locked, lines: [], points: figure.points };
+  return [drawingOf({ ...drawn, center: null }, viewer)];
 }
 
 /** The edited curve as the comparison's method traces it. The user cannot pick this line. */
@@ -201,12 +209,15 @@ export async function start(): Promise<void> {
     viewer.showParts(parts ?? null);
   };
   let besideShown: readonly Beside[] = [];
+  let ownShown = editor.active;
   let surfaceShown: Surface | null = null;
   const comparison = new Comparison(session);
   const comparisonPanel = new ComparisonPanel(editor, comparison);
   const showBeside = () => {
     const compared = comparedDrawing(editor, comparison, viewer);
-    viewer.showObjects([...besideShown.map((one) => drawingOf(one, viewer)), ...compared]);
+    const beside = besideShown.map((one) => drawingOf(one, viewer));
+    ownShown = editor.active;
+    viewer.showObjects([...beside, ...ownDots(editor, viewer), ...compared]);
   };
   const showCompared = () => {
     comparisonPanel.show(editor.state, comparison.method, comparison.shown);
@@ -224,8 +235,10 @@ export async function start(): Promise<void> {
     distances.update();
     if (viewer.surface !== surfaceShown && distances.shown) distances.onChange(distances.shown);
     const isNew = view.others !== besideShown || viewer.surface !== surfaceShown;
+    const isPoints = (object: DrawnObject) => object.figure.kind === 'points';
+    const isOwnNew = editor.active !== ownShown && [editor.active, ownShown].some(isPoints);
     // The style of the compared curve may have changed.
-    if (isNew || (comparison.shown && !editor.state.dragging)) {
+    if (isNew || isOwnNew || (comparison.shown && !editor.state.dragging)) {
       [besideShown, surfaceShown] = [view.others, viewer.surface];
       showBeside();
     }
