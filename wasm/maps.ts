@@ -183,7 +183,10 @@ function toVectors(value: unknown, what: string): Float64Array {
     }
     return all;
   }
-  if (isObject(value) && !('length' in value)) return toVector(value, what);
+  // Vectors of three.js have a method `length`.
+  if (isObject(value) && typeof (value as { length?: unknown }).length !== 'number') {
+    return toVector(value, what);
+  }
   const numbers = toFiniteNumbers(value, what);
   checkLength(numbers, 3, what);
   return numbers;
