@@ -49,6 +49,15 @@ for (const [where, karcher] of Object.entries({ 'in the page': engine, 'in a wor
       });
     }
 
+    test('a lone face without area does not count', async () => {
+      const line = [5, 0, 0, 6, 1, 0, 7, 2, 0];
+      const mesh = await karcher.meshFromArrays(
+        [...corners.flat(), ...line],
+        [0, 1, 2, 0, 2, 3, 4, 5, 6],
+      );
+      near((await centroid(mesh, 'all')).position, [0.5, 0.5, 0]);
+    });
+
     test('both sides of a double surface count', async () => {
       const mesh = await karcher.meshFromArrays(
         [corners, corners].flat(2),

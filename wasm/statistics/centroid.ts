@@ -202,7 +202,7 @@ function patchesOf(
       x += (turn * (ax * (atA + sum) + bx * (atB + sum))) / 24;
       y += (turn * (ay * (atA + sum) + by * (atB + sum))) / 24;
     }
-    if (mass === 0) return;
+    if (mass === 0 || !hasArea(u, v, cross)) return;
     // In a sliver, rounding may lead out of the triangle.
     x = Math.min(1, Math.max(0, x / mass));
     y = Math.min(1 - x, Math.max(0, y / mass));
@@ -221,6 +221,16 @@ function patchesOf(
     add(parts[first]!, sides.subarray(4 * first, 4 * i));
   }
   return patches;
+}
+
+/**
+ * Whether a triangle with these two sides and this cross product has an area. The surface does not
+ * have the others: a face is left out if its height is at most 1e-12 of its longest edge.
+ */
+function hasArea(u: readonly number[], v: readonly number[], cross: readonly number[]): boolean {
+  const across = v.map((value, k) => value - u[k]!);
+  const longest = Math.max(...[u, v, across].map((side) => Math.hypot(...side)));
+  return Math.hypot(...cross) > 1e-12 * longest ** 2;
 }
 
 type Three = [number, number, number];
