@@ -141,6 +141,19 @@ for (const [where, loadEngine] of Object.entries(engines)) {
         object.dispose();
         curve.dispose();
       });
+
+      test(`a ${name} follows another curve while the first one fails`, async () => {
+        const failing = new SurfaceCurve(surface, { kind: 'catmullrom', points: [points[0]] });
+        const curve = new SurfaceCurve(surface, { kind: 'catmullrom', points });
+        const object = new Kind(surface, failing, options);
+        await object.follow(curve);
+        await object.ready;
+        assert.deepEqual(
+          arraysOf(object.geometry),
+          arraysOf(geometry(surface, await curve.path(), options)),
+        );
+        for (const each of [object, failing, curve]) each.dispose();
+      });
     }
   });
 }

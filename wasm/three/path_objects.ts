@@ -91,7 +91,14 @@ class ObjectAlong extends Mesh<BufferGeometry, Material> {
     while (this.#isStale && this.#curve) {
       this.#isStale = false;
       const curve = this.#curve;
-      const path = await curve.path();
+      let path: Path;
+      try {
+        path = await curve.path();
+      } catch (error) {
+        // A newer curve, or a newer edit of this one, may have a path.
+        if (this.#curve === curve && !this.#isStale) throw error;
+        continue;
+      }
       if (this.#curve === curve) this.#show(path);
     }
   }
