@@ -54,6 +54,8 @@ export class CurveDrag {
   readonly #element: HTMLElement;
   readonly #reach: number;
   readonly #touchAction: string;
+  /** The pointer that drags a point, or dragged one. */
+  #pointerId = -1;
   readonly #handles = new Points(new BufferGeometry(), handleMaterial());
   readonly #raycaster = new Raycaster();
 
@@ -116,14 +118,16 @@ export class CurveDrag {
 
   readonly #press = (event: PointerEvent): void => {
     if (event.button !== 0) return;
+    if (this.dragged >= 0 && event.pointerId !== this.#pointerId) return;
     this.dragged = this.#at(event);
     if (this.dragged < 0) return;
+    this.#pointerId = event.pointerId;
     event.stopImmediatePropagation();
     this.#element.setPointerCapture(event.pointerId);
   };
 
   readonly #move = (event: PointerEvent): void => {
-    if (this.dragged < 0) return;
+    if (this.dragged < 0 || event.pointerId !== this.#pointerId) return;
     const { surface } = this.#curve;
     this.#raycaster.setFromCamera(this.#pointer(event), this.#camera);
     const [hit] = this.#raycaster.intersectObject(this.#object, false);
@@ -137,8 +141,8 @@ export class CurveDrag {
     }
   };
 
-  readonly #release = (): void => {
-    this.dragged = -1;
+  readonly #release = ({ pointerId }: PointerEvent): void => {
+    if (pointerId === this.#pointerId) this.dragged = -1;
   };
 
   /** The pointer in the camera's picture, -1 to 1. */
