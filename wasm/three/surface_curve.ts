@@ -26,8 +26,11 @@ interface Edit {
 
 /** The events that a curve on a surface sends. */
 export interface SurfaceCurveEvents extends Object3DEventMap {
-  /** The drawn curve has changed. */
-  change: { view: CurveView };
+  /**
+   * The drawn curve has changed. `value` has the options that recreate it; after a drag these
+   * include its legs.
+   */
+  change: { view: CurveView; value: CurveOptions };
 }
 
 /**
@@ -47,7 +50,10 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
    * drawing.
    */
   view: CurveView | undefined;
-  /** A promise that resolves at the first drawing. It rejects with the error of `Mesh.curve`. */
+  /**
+   * A promise that resolves at the first drawing. It rejects with the error of `Mesh.curve`; the
+   * next valid edit then makes the curve.
+   */
   readonly ready: Promise<void>;
   #curve: ShownCurve | undefined;
   #value: CurveOptions;
@@ -90,7 +96,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
 
   /**
    * The path of the drawn curve. If an edit has begun, it is the path of the edited curve, which is
-   * not drawn yet. Rejects as `ready` does, and with `KarcherError` disposed.
+   * not drawn yet. Rejects with `KarcherError` disposed, and without a drawn curve as `ready` does.
    *
    * @example
    * ```ts
@@ -98,7 +104,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
    * ```
    */
   async path(): Promise<Path> {
-    await this.ready;
+    if (!this.view) await this.ready;
     return this.#curve!.path();
   }
 
@@ -144,14 +150,22 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
 
   async #make(): Promise<void> {
     try {
-      const made = await this.surface.mesh.curve(this.#value);
-      this.#curve = made as ShownCurve;
-      if (this.#isDisposed) return await this.#end();
-      this.#draw(await this.#curve.view());
+      const value = this.#value;
+      const view = await this.#viewOf(value);
+      if (view && !this.#isDisposed) this.#draw(view, value);
     } finally {
       this.#isBusy = false;
       void this.#next();
     }
+  }
+
+  /** Gives the engine's curve these options. The first valid ones make it, unless disposed of. */
+  async #viewOf(value: CurveOptions): Promise<CurveView | undefined> {
+    if (this.#curve) return this.#curve.set(value);
+    this.#curve = (await this.surface.mesh.curve(value)) as ShownCurve;
+    if (!this.#isDisposed) return this.#curve.view();
+    await this.#end();
+    return undefined;
   }
 
   #edit(value: CurveOptions, isDrag: boolean): Promise<boolean> {
@@ -175,25 +189,29 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     this.#isBusy = true;
     const { value, isDrag, tell, fail } = edit;
     try {
-      if (!this.#curve) throw new KarcherError('badArgument', 'the curve could not be made');
-      const legs = isDrag && this.view?.drawnLegs.map((leg, i) => value.legs?.[i] ?? leg);
-      const view = await this.#curve.set(legs ? { ...value, legs } : value);
+      const legs = isDrag && this.view?.drawnLegs;
+      const view = await this.#viewOf(legs ? { ...value, legs } : value);
       this.#drawn = value;
-      if (!this.#isDisposed) this.#draw(view);
+      if (view && !this.#isDisposed) {
+        this.#draw(view, legs ? { ...value, legs: view.drawnLegs } : value);
+      }
       tell(!this.#isDisposed);
     } catch (error) {
-      // A waiting edit starts from the value that failed here, and may fail, too.
-      if (!this.#waiting) this.#value = this.#drawn;
+      // A waiting edit starts from the value that failed here, and may fail, too. The drawn legs
+      // are not those of a curve that could not be set.
+      const waiting = this.#waiting as Edit | undefined;
+      if (waiting) waiting.isDrag &&= isDrag;
+      else this.#value = this.#drawn;
       fail(error);
     }
     this.#isBusy = false;
     void this.#next();
   }
 
-  #draw(view: CurveView): void {
+  #draw(view: CurveView, value: CurveOptions): void {
     drawLine(this.line, view.polyline);
     this.visible ||= this.view === undefined;
     this.view = view;
-    this.dispatchEvent({ type: 'change', view });
+    this.dispatchEvent({ type: 'change', view, value });
   }
 }
