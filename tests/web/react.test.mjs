@@ -151,6 +151,38 @@ describe('hooks of react-three-fiber', () => {
     await page.close();
   });
 
+  test('take a basis that each render defines anew', async () => {
+    const { page, complaints } = await open();
+    const options = { kind: 'custom', points: points.slice(0, 2) };
+    await page.evaluate((value) => window.page.show(value), { ...shown, options, inline: true });
+    await page.waitForFunction(
+      () => window.page.seen.message !== '' || window.page.seen.curve?.view,
+    );
+    assert.equal(await page.evaluate(() => window.page.seen.message), '');
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
+  test('report the options that recreate a dragged curve', async () => {
+    const { page } = await open();
+    const options = { kind: 'polyline', points };
+    await page.evaluate((value) => window.page.show(value), { ...shown, options });
+    await isDrawn(page);
+    const told = await page.evaluate(async () => {
+      const { curve } = window.page.seen;
+      const { mesh } = curve.surface;
+      await Promise.allSettled([
+        curve.movePoint(1, { vertex: 230 }),
+        curve.movePoint(1, { vertex: 99_999 }),
+      ]);
+      const { value } = window.page.seen;
+      return [value.points[1], mesh.curve(value).view().length - curve.view.length];
+    });
+    assert.deepEqual(told[0], { vertex: 230 });
+    assert.ok(Math.abs(told[1]) < 1e-9, `${told[1]}`);
+    await page.close();
+  });
+
   test('free the memory when they are unmounted', async () => {
     const { page, complaints } = await open();
     const cycle = async () => {

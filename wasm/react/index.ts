@@ -110,7 +110,8 @@ function release({ mesh }: Surface<AnyMesh>): void {
  * A curve on a surface, as an object of three.js; undefined until a surface and options exist. Put
  * it into the scene as a child of the object that draws the surface, `<primitive object={curve}
  * />`. Options that differ from those of the previous render change the curve. Equal options leave
- * it as it is, even if the user has dragged its points since.
+ * it as it is, even if the user has dragged its points since. A function, such as `basis`, is equal
+ * only to itself: define it outside the component.
  */
 export function useSurfaceCurve(
   surface: Surface<AnyMesh> | undefined,
@@ -120,17 +121,15 @@ export function useSurfaceCurve(
   const fail = useFailure(onError);
   const told = useNewest(onChange);
   const [made, setMade] = useState<{ curve: SurfaceCurve; given: CurveOptions } | undefined>();
-  const [given, setGiven] = useState(options);
-  if (!isSameValue(given, options)) setGiven(options);
-  const hasOptions = given !== undefined;
-  const newest = useNewest(given);
+  const hasOptions = options !== undefined;
+  const newest = useNewest(options);
   const look = useNewest({ width, color });
   useEffect(() => {
     if (!surface || !hasOptions) return;
     // The effects of one component run in order, so that the newest options are known.
     const first = newest.current!;
     const curve = new SurfaceCurve(surface, first, look.current);
-    curve.addEventListener('change', ({ view }) => told.current?.(curve.value, view));
+    curve.addEventListener('change', ({ value, view }) => told.current?.(value, view));
     curve.ready.catch(fail);
     setMade({ curve, given: first });
     return () => {
@@ -141,12 +140,12 @@ export function useSurfaceCurve(
     };
   }, [surface, hasOptions, fail, newest, look, told]);
   useEffect(() => {
-    if (!made || !given || made.given === given) return;
+    if (!made || !options || isSameValue(made.given, options)) return;
     // The effect above has disposed of a curve on another surface; its successor has these options.
     if (made.curve.surface !== surface) return;
-    made.given = given;
-    made.curve.set(given).catch(fail);
-  }, [made, given, surface, fail]);
+    made.given = options;
+    made.curve.set(options).catch(fail);
+  });
   useEffect(() => {
     if (!made) return;
     const { material } = made.curve;

@@ -26,7 +26,10 @@ export interface SurfaceHookOptions extends MeshOptions, EngineHookOptions, Fail
 
 /** The look of a component's curve, and the component's callbacks. */
 export interface CurveHookOptions extends LineLook, FailureOptions {
-  /** A function that runs when the drawn curve has changed. */
+  /**
+   * A function that runs when the drawn curve has changed. It receives the options that recreate
+   * this curve, with the legs of a drag.
+   */
   onChange?: ((value: CurveOptions, view: CurveView) => void) | undefined;
 }
 

@@ -9,6 +9,8 @@ import { type Camera, TorusGeometry, Vector3 } from 'three';
 
 interface Shown {
   options: CurveOptions;
+  /** Whether each render has another function as basis. */
+  inline?: boolean;
   worker: boolean;
   look?: { width: number; color: string };
   /** The number of segments round the torus: another number is another geometry. */
@@ -19,6 +21,7 @@ const seen = {
   curve: undefined as SurfaceCurve | undefined,
   camera: undefined as Camera | undefined,
   changes: 0,
+  value: undefined as CurveOptions | undefined,
   made: new Set<SurfaceCurve>(),
   bytes: () => -1,
   /** The bytes of the engine's memory before its first use. */
@@ -26,12 +29,17 @@ const seen = {
   message: '',
 };
 
-function Model({ options, worker, segments, look }: Shown) {
+function Model({ options, inline, worker, segments, look }: Shown) {
   const geometry = useMemo(() => new TorusGeometry(1, 0.4, 16, segments), [segments]);
   const karcher = useKarcher({ worker });
   const surface = useSurface(geometry, { worker });
-  const onChange = () => seen.changes++;
-  const curve = useSurfaceCurve(surface, options, { onChange, ...look });
+  const onChange = (value: CurveOptions) => {
+    seen.changes++;
+    seen.value = value;
+  };
+  const basis = (t: number) => [1 - t, t];
+  const given = inline ? { ...options, basis } : options;
+  const curve = useSurfaceCurve(surface, given, { onChange, ...look });
   useCurveDrag(curve);
   seen.camera = useThree((state) => state.camera);
   seen.curve = curve;
