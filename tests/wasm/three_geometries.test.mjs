@@ -2,6 +2,8 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
+import { surfaceFromGeometry } from 'karcher/three';
+import { loadInWorker } from 'karcher/worker';
 import * as THREE from 'three';
 import { geometries } from './geometries.mjs';
 
@@ -97,6 +99,54 @@ for (const [name, [geometry, boundaryLoops, genus]] of Object.entries(geometries
     }
   });
 }
+
+for (const [name, [geometry]] of Object.entries(geometries)) {
+  test(`${name}: log vectors at a vertex lie in the plane of its frame`, () => {
+    const surface = surfaceFromGeometry(karcher, geometry);
+    const { position } = geometry.attributes;
+    const step = Math.ceil(position.count / 300);
+    const used = new Set(arraysOf(geometry).triangles);
+    for (let vertex = 0; vertex < position.count; vertex += step) {
+      if (!used.has(vertex)) continue;
+      const place = new THREE.Vector3().fromBufferAttribute(position, vertex);
+      assert.ok(surface.position({ vertex }).equals(place), `vertex ${vertex}`);
+      const normal = new THREE.Vector3().setFromMatrixColumn(surface.frame({ vertex }), 2);
+      assert.ok(Math.abs(normal.length() - 1) < 1e-12, `vertex ${vertex}`);
+      assert.ok(Math.abs(surface.normal({ vertex }).length() - 1) < 1e-12, `vertex ${vertex}`);
+      const others = [0.3, 0.7].map((part) => ({
+        face: Math.floor((part * arraysOf(geometry).triangles.length) / 3),
+        bary: [0.2, 0.3, 0.5],
+      }));
+      const { vectors } = surface.mesh.logMap({ vertex }, others);
+      for (let i = 0; i < vectors.length; i += 3) {
+        const away = normal.dot(new THREE.Vector3().fromArray(vectors, i));
+        assert.ok(Math.abs(away) < 1e-9 * surface.diagonal, `vertex ${vertex}: ${away}`);
+      }
+    }
+  });
+}
+
+test('with the engine in a worker, log vectors at the boundary lie in the plane of their frame', async () => {
+  const remote = await loadInWorker();
+  for (const [count, rows] of [
+    [8, 1],
+    [24, 3],
+  ]) {
+    const geometry = new THREE.CylinderGeometry(1, 1.5, 2, count, rows, true);
+    const surface = await surfaceFromGeometry(remote, geometry);
+    for (let vertex = 1; vertex < count; vertex++) {
+      for (const at of [vertex, vertex + rows * (count + 1)]) {
+        const frame = surface.frame({ vertex: at });
+        const normal = new THREE.Vector3().setFromMatrixColumn(frame, 2);
+        const other = { face: (3 * at) % (2 * count), bary: [0.2, 0.3, 0.5] };
+        const { vectors } = await surface.mesh.logMap({ vertex: at }, [other]);
+        const away = normal.dot(new THREE.Vector3().fromArray(vectors));
+        assert.ok(Math.abs(away) < 1e-9, `vertex ${at}: ${away}`);
+      }
+    }
+  }
+  await remote.dispose();
+});
 
 test('paths across seams have the right length', () => {
   // The ends are two edges of the polygon of `sides` sides apart. A path beside the vertex between

@@ -105,8 +105,16 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   /**
    * The frame of a point. Its origin is the place of the point; its axes are two unit vectors in
    * the face, and the normal. An object with this matrix stands on the surface, its z axis upright.
+   * At a vertex the face is the one in whose plane log vectors lie. With an engine in a worker this
+   * holds at the boundary, but for ends of seams; elsewhere, pass the vertex as a point of a face.
    */
   frame(point: PointLike, target = new Matrix4()): Matrix4 {
+    const { mesh } = this;
+    // Only the engine knows its face at a vertex.
+    if ('vertex' in point && 'handle' in mesh) {
+      const [along, across, normal] = mesh.frame(point).map((axis) => new Vector3(...axis));
+      return target.makeBasis(along!, across!, normal!).setPosition(this.position(point));
+    }
     const { face } = this.#inFace(point);
     const normal = this.normal(point);
     const along = this.#corner(face, 1).sub(this.#corner(face, 0)).normalize();
@@ -126,8 +134,10 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
     if (at < 0) throw new KarcherError('badIndex', `there is no vertex ${first} of a face`);
     const { corners } = this.triangles;
     const own = this.triangles.first(first!);
-    const weight = (k: number) => (this.triangles.first(corners[3 * at + k]!) === own ? 1 : 0);
-    return { face: at, bary: [weight(0), weight(1), weight(2)] };
+    // A triangle may have two corners at the place.
+    const bary: [number, number, number] = [0, 0, 0];
+    bary[[0, 1, 2].findIndex((k) => this.triangles.first(corners[3 * at + k]!) === own)] = 1;
+    return { face: at, bary };
   }
 
   #corner(face: number, k: number): Vector3 {

@@ -43,11 +43,25 @@ export class Triangles {
     return this.#places.first[vertex]!;
   }
 
-  /** A triangle at a vertex, or -1. */
+  /**
+   * A triangle at a vertex, or -1. Triangles with three different places come first. Where they
+   * meet the boundary, it is the engine's: the one whose side from the vertex has no triangle on
+   * its other side.
+   */
   at(vertex: number): number {
-    const first = this.#places.first[vertex];
-    if (first === undefined || this.#starts[first] === this.#starts[first + 1]) return -1;
-    return this.#around[this.#starts[first]!]!;
+    const firsts = this.#places.first;
+    const first = firsts[vertex];
+    if (first === undefined) return -1;
+    const all = this.#around.subarray(this.#starts[first]!, this.#starts[first + 1]!);
+    const places = Array.from(all, (face) => {
+      const [a, b, c] = [0, 1, 2].map((k) => firsts[this.corners[3 * face + k]!]!) as Three;
+      const [next, last] = a === first ? [b, c] : b === first ? [c, a] : [a, b];
+      return { face, next, last, isWhole: next !== last && next !== first && last !== first };
+    });
+    const whole = places.filter(({ isWhole }) => isWhole);
+    const lasts = new Set(whole.map(({ last }) => last));
+    const atBoundary = whole.find(({ next }) => !lasts.has(next));
+    return (atBoundary ?? whole[0] ?? places[0])?.face ?? -1;
   }
 
   /**
@@ -119,6 +133,8 @@ class Places {
     }
   }
 }
+
+type Three = [number, number, number];
 
 const words = new Float32Array(3);
 const bits = new Int32Array(words.buffer);
