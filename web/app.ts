@@ -155,6 +155,7 @@ export async function start(): Promise<void> {
       measure.clear();
       ruler.click(point);
     },
+    closed: () => edits.close(),
     anchorRemoved: (index) => edits.removeAnchor(index),
     aimed: (words) => status.showAim(words, editor.state, session.view),
     otherClicked: (tool, id) => edits.atOther(tool, id),

@@ -69,6 +69,34 @@ describe('drawing by hand', () => {
     });
   }
 
+  test('a click on the first point closes the edited curve, and no other selected one', async () => {
+    const tab = await Tab.open(browser);
+    const { keyboard } = tab.page;
+    const places = [...path, [60, 20]];
+    await keyboard.press('b');
+    await tab.click(...places.map(([x, y]) => [x, y - 130]));
+    await keyboard.press('Enter');
+    await tab.click(...places);
+    await tab.page
+      .locator('#objects .object')
+      .nth(1)
+      .click({ modifiers: ['Shift'] });
+    await tab.settled();
+    for (const name of ['Control point 4 of 4', 'Control point 1 of 4']) {
+      const { x, y } = await tab.handle(name);
+      await tab.page.mouse.click(x, y);
+      await tab.settled();
+    }
+    const { drawing } = await tab.state();
+    assert.equal(drawing.objects.length, 2);
+    const closed = drawing.objects.filter(({ figure }) => figure.settings.closed);
+    assert.deepEqual(
+      closed.map(({ id }) => id),
+      [drawing.active],
+    );
+    await tab.close();
+  });
+
   for (const [key, kind] of [
     ['o', 'circle'],
     ['e', 'ellipse'],

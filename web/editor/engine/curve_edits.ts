@@ -144,6 +144,16 @@ export class CurveEdits {
       this.editor.setSettings({ closed });
       return Promise.resolve();
     }
+    return this.#setClosed(closed);
+  }
+
+  /** Closes the edited curve, even if others are selected with it. */
+  close(): Promise<void> {
+    this.editor.interrupt();
+    return this.#setClosed(true);
+  }
+
+  #setClosed(closed: boolean): Promise<void> {
     return this.#edit(({ settings: from }) => {
       if (from.closed === closed) return null;
       const { selection } = this.editor.state;

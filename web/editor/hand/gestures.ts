@@ -41,6 +41,8 @@ export interface CurveClicks {
   /** The pointer is over the surface, or clicks it, while the tool measures. */
   rulerAimed(point: SurfacePoint): void;
   rulerClicked(point: SurfacePoint): void;
+  /** A click on the first point of the edited curve, which closes the curve. */
+  closed(): void;
   /** A double click on an anchor of the pen, by its index. */
   anchorRemoved(index: number): void;
   /** Words for the effect of a click at the pointer; empty without an effect. */
@@ -95,6 +97,7 @@ export class Gestures {
       ...{ pen, snapping: this.snapping },
       keys: () => this.#keys,
       schedule: () => this.#schedule(),
+      close: () => events.closed(),
     });
     const { handles } = drags;
     const severalFingers = twoFingersMeanTheView(stage, {

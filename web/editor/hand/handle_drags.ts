@@ -37,6 +37,8 @@ interface Hand {
   keys(): HeldKeys;
   /** Requests a call of `dragNow` before the next frame. */
   schedule(): void;
+  /** Closes the edited curve. */
+  close(): void;
 }
 
 const noKeys: HeldKeys = { alt: false, shift: false, control: false };
@@ -193,7 +195,7 @@ export class HandleDrags {
     this.#grabbed = null;
     if (click?.clicked) editor.selectPoints(click.clicked);
     const { selection } = editor.state;
-    if (click?.action === 'close') editor.setSettings({ closed: true });
+    if (click?.action === 'close') this.hand.close();
     if (click?.action === 'convert' && typeof selection === 'number') {
       this.hand.pen.convert(selection);
     }
