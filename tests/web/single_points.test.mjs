@@ -24,4 +24,17 @@ describe('single points', () => {
     assert.equal(await page.locator('.handle').count(), 2);
     await tab.close();
   });
+
+  test('of the edited object are in an SVG, selected or not', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=points');
+    await tab.click([-60, 20], [40, -30]);
+    const circles = async () => (await tab.save('SVG')).text.match(/<circle/g)?.length;
+    assert.equal(await circles(), 2);
+    await tab.page.keyboard.press('v');
+    for (let i = 0; i < 3; i++) await tab.page.keyboard.press('Escape');
+    await tab.settled();
+    assert.equal((await tab.state()).none, true);
+    assert.equal(await circles(), 2);
+    await tab.close();
+  });
 });

@@ -286,6 +286,10 @@ export class SaveMenu {
       return { ...vantage.project(mark), color: colors.marks, filled: true };
     });
     dots.push(...handles.map((point) => dot(point, colors.curve)));
+    // Without handles, single points look like those of other objects.
+    const isSingle = kind === 'points' && ownToo && !isOpen && active.visible;
+    if (isSingle)
+      dots.push(...points.map((point) => dot(point, active.color ?? colors.curve, true)));
     if (center) dots.push(dot(center.point, colors.center));
     for (const { style: look, points: single, center: mass } of others) {
       const all = mass ? [...single, mass] : single;
