@@ -134,6 +134,8 @@ export class TransformGestures {
     layer.addEventListener('keyup', (event) => {
       if (event.key in arrows) this.#endKeys();
     });
+    // Without the focus, the layer would miss the release of the key.
+    layer.addEventListener('focusout', () => this.#endKeys());
     for (const type of ['pointerdown', 'pointermove'] as const) {
       window.addEventListener(type, ({ shiftKey }) => (this.#shift = shiftKey), { capture: true });
     }
