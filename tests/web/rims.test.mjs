@@ -166,6 +166,8 @@ describe('from a vertex of the rim', () => {
       for (const place of places) await click(place);
       await page.keyboard.press('Enter');
       await page.keyboard.press('v');
+      // The pointer hits the line only once it is drawn.
+      await tab.settled();
       await drag([2, 1.5, 0], vertex[0] > 0 ? [1.5, 1, 0] : [2.5, 1, 0]);
       const { points } = (await tab.state()).drawing.objects[0].figure;
       const moved = await Promise.all(points.map(placeOf));
