@@ -63,7 +63,7 @@ Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int s
     const int face = commonFace(mesh, start, path.points[i]);
     if (face < 0) break;
     const Vec2 onward = vectorOnward(geometry, path, from, i, stride, face);
-    const Vec2 vector = path.length() * onward.normalized();
+    Vec2 vector = path.length() * onward.normalized();
     const PointLocation at = locate(mesh, start);
     if (at.simplex == Simplex::kVertex) {
       const double direction = directionAtTail(geometry, cornerAt(mesh, at.vertex, face), vector);
