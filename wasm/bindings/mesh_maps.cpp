@@ -17,7 +17,7 @@ Vec3 vectorAt(const Array<double>& numbers, int i) {
 /// The path through a caller's points. Consecutive points must share a face.
 SurfacePath pathFromJs(const MeshHandle& handle, const val& line) {
   const TriangleMesh& mesh = handle.mesh();
-  const SurfacePath path = pathThrough(mesh, pointsFromJs(handle.numbering(), mesh, line));
+  SurfacePath path = pathThrough(mesh, pointsFromJs(handle.numbering(), mesh, line));
   for (int i = 1; i < path.points.count(); ++i) {
     if (commonFace(mesh, path.points[i - 1], path.points[i]) >= 0) continue;
     throw Error(ErrorCode::kBadArgument, "the points " + std::to_string(i - 1) + " and " +
