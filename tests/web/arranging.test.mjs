@@ -43,6 +43,31 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
+  test('a row pressed at the edge of the list is let go outside, and dragged if it is moved', async () => {
+    const tab = await Tab.open(browser, fragment);
+    const { page } = tab;
+    const list = await page.locator('#objects').boundingBox();
+    const row = await page.locator('#objects > li').first().boundingBox();
+    const edge = { x: list.x + list.width / 2, y: row.y + 2 };
+    const press = async () => {
+      await page.mouse.move(edge.x, edge.y);
+      await page.mouse.down();
+      await page.mouse.move(edge.x, list.y - 3);
+    };
+    await press();
+    await page.mouse.up();
+    await page.mouse.move(edge.x, row.y + 2.2 * row.height, { steps: 4 });
+    assert.equal(await page.locator('#objects .dragged').count(), 0);
+    assert.deepEqual(await namesOf(tab), ['First', 'Second', 'Third']);
+    await press();
+    await page.mouse.move(edge.x, row.y - row.height);
+    assert.equal(await page.locator('#objects .dragged').count(), 1);
+    await page.mouse.move(edge.x, row.y + 2.2 * row.height, { steps: 4 });
+    await page.mouse.up();
+    assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second']);
+    await tab.close();
+  });
+
   test('a copied group is one group, even with hidden or locked members', async () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;

@@ -35,9 +35,10 @@ export class ListDrag {
     private readonly moves: ListMoves,
   ) {
     list.addEventListener('pointerdown', (event) => this.#down(event));
-    list.addEventListener('pointermove', (event) => this.#move(event));
-    list.addEventListener('pointerup', (event) => this.#end(event, true));
-    list.addEventListener('pointercancel', (event) => this.#end(event, false));
+    // The pointer may leave the list before it has moved far enough to drag the row.
+    window.addEventListener('pointermove', (event) => this.#move(event));
+    window.addEventListener('pointerup', (event) => this.#end(event, true));
+    window.addEventListener('pointercancel', (event) => this.#end(event, false));
     window.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape' || !this.#dragged?.moves) return;
       event.stopPropagation();
