@@ -2,7 +2,7 @@
 // along the surface and in a straight line.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
-import { cutBox, stlFile } from '../wasm/mesh_files.mjs';
+import { cutBox, objFile, stlFile } from '../wasm/mesh_files.mjs';
 import { browserOfSuite, Tab } from './browser.mjs';
 
 describe('lengths', () => {
@@ -56,6 +56,39 @@ describe('lengths', () => {
     await tab.page.keyboard.press('Escape');
     await tab.page.keyboard.press('v');
     assert.doesNotMatch(await hint(tab).textContent(), /straight/);
+    await tab.close();
+  });
+
+  test('between components are straight only, and the status says why', async () => {
+    const tab = await Tab.open(browser);
+    const far = 7;
+    const { positions, faces } = cutBox;
+    const two = {
+      positions: [...positions, ...positions.map((value, i) => value + (i % 3 === 0 ? far : 0))],
+      faces: [...faces, ...faces.map((face) => face.map((k) => k + positions.length / 3))],
+    };
+    await tab.dropFiles([['two.obj', objFile(two)]]);
+    await tab.page.waitForFunction(() => window.karcherPage.info().components === 2);
+    await tab.settled();
+    await tab.still();
+    // The front faces of the boxes lie in z = 4.
+    const seen = await tab.page.evaluate(
+      (places) => places.map((place) => window.karcherPage.seen(Float32Array.from(place))),
+      [0, 0.3, far].map((aside) => [1 + aside, 1.5, 4]),
+    );
+    const [from, near, to] = seen;
+    await tab.page.locator('#tool-measure').click();
+    await tab.page.mouse.click(from.x, from.y);
+    await tab.page.mouse.move(near.x, near.y, { steps: 3 });
+    await told(tab);
+    await tab.page.mouse.click(to.x, to.y);
+    const words = /^No path along the surface: different components · ([\d.]+) straight$/;
+    await tab.page.waitForFunction(
+      (source) => new RegExp(source).test(document.getElementById('hint').textContent),
+      words.source,
+    );
+    const [, straight] = words.exec(await hint(tab).textContent());
+    assert.ok(Math.abs(Number(straight) - far) < 0.1, straight);
     await tab.close();
   });
 

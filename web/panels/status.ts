@@ -194,7 +194,11 @@ export class Status {
 }
 
 function ruledText({ along, straight }: Ruled, unit: Unit): string {
-  return `${formatLength(along, unit)} along the surface · ${formatLength(straight, unit)} straight`;
+  const way =
+    along === null
+      ? 'No path along the surface: different components'
+      : `${formatLength(along, unit)} along the surface`;
+  return `${way} · ${formatLength(straight, unit)} straight`;
 }
 
 function nameOf(kind: Kind, selection: Selection, more: number): string {

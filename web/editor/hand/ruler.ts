@@ -1,4 +1,4 @@
-import type { SurfacePoint } from 'karcher';
+import { KarcherError, type SurfacePoint } from 'karcher';
 import type { Viewer } from '../../viewer/viewer';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
@@ -6,7 +6,8 @@ import type { Editor } from '../state/editor';
 
 /** The distances between two points, along the surface and straight, in the surface's unit. */
 export interface Ruled {
-  along: number;
+  /** Null if no path along the surface joins the points. */
+  along: number | null;
   straight: number;
 }
 
@@ -60,9 +61,17 @@ export class Ruler {
     const { client } = this.session;
     const { surface } = this.viewer;
     if (!from || !client || !surface) return;
-    const path = await client.mesh.shortestPath(from, to).catch(() => null);
+    const path = await client.mesh.shortestPath(from, to).catch((error) => {
+      return error instanceof KarcherError && error.code === 'unreachable' ? 'none' : null;
+    });
     if (!path || this.#from !== from || (this.#to && this.#to !== to)) return;
     if (this.viewer.surface !== surface) return;
+    if (path === 'none') {
+      const apart = surface.position(from).distanceTo(surface.position(to));
+      this.viewer.aids.showBand(null);
+      this.onChange({ along: null, straight: apart / surface.frame.scale }, true);
+      return;
+    }
     const line = path.polyline({ bits: 64 });
     const straight = Math.hypot(...[0, 1, 2].map((axis) => line.at(axis - 3)! - line[axis]!));
     this.viewer.aids.showBand(surface.toScene(path.polyline()));
