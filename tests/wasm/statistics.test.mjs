@@ -212,27 +212,34 @@ for (const [where, loadEngine] of Object.entries({
         [1.3, 1.2],
         [8.1, 2.3],
       ]);
-      await assert.rejects(async () => median(mesh, points, [1, -1]), /must be positive/);
-      await assert.rejects(async () => median(mesh, points, [1]), /2 points but 1 weights/);
+      await assert.rejects(median(mesh, points, [1, -1]), /must be positive/);
       for (const start of [undefined, points[0]]) {
         const tooFew = { code: 'tooFewPoints' };
-        await assert.rejects(async () => median(mesh, [], [], { start }), tooFew);
-        await assert.rejects(async () => huberMean(mesh, [], [], { start, threshold: 1 }), tooFew);
+        await assert.rejects(median(mesh, [], [], { start }), tooFew);
+        await assert.rejects(huberMean(mesh, [], [], { start, threshold: 1 }), tooFew);
       }
-      await assert.rejects(
-        async () => median(mesh, points, [1, 1], { begin: 1 }),
-        /no option 'begin'/,
-      );
-      await assert.rejects(
-        async () => huberMean(mesh, points, [1, 1], { threshold: 0 }),
-        /positive/,
-      );
-      await assert.rejects(() => hessianAt(mesh, points, [1, 1], { vertex: 3 }), /inside faces/);
+      await assert.rejects(median(mesh, points, [1, 1], { begin: 1 }), /no option 'begin'/);
+      await assert.rejects(huberMean(mesh, points, [1, 1], { threshold: 0 }), /positive/);
+      for (const weights of [[1], [1, 1, 1]]) {
+        for (const call of [
+          median,
+          (...given) => huberMean(...given.slice(0, 3), { threshold: 1 }),
+          ...[energyAt, hessianAt, weightDerivatives, pointDerivatives].map(
+            (of) =>
+              (...given) =>
+                of(...given, points[0]),
+          ),
+        ]) {
+          const badWeights = { code: 'badWeights', message: /2 points but \d weights/ };
+          await assert.rejects(call(mesh, points, weights), badWeights);
+        }
+      }
+      await assert.rejects(energyAt(mesh, points, [1, Number.NaN], points[0]), {
+        code: 'notFinite',
+      });
+      await assert.rejects(hessianAt(mesh, points, [1, 1], { vertex: 3 }), /inside faces/);
       const atVertex = [points[0], { vertex: 3 }];
-      await assert.rejects(
-        () => pointDerivatives(mesh, atVertex, [1, 1], points[1]),
-        /inside faces/,
-      );
+      await assert.rejects(pointDerivatives(mesh, atVertex, [1, 1], points[1]), /inside faces/);
     });
   });
 }

@@ -1,3 +1,4 @@
+import { checkArray, checkNumber, toFloat64 } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
 import type { PointLike } from '../types.js';
@@ -30,7 +31,10 @@ export interface Hessian {
  * The energy and its gradient at a point, by locally shortest paths (`Mesh.logMap`). This is the
  * gradient on the polyhedron. For a point on an edge or at a vertex, it lies in the plane of the
  * face that the point names. At a center of mass inside a face it is small but not zero, since the
- * search for centers uses fields, which smooth these paths. Rejects as `Mesh.logMap` does.
+ * search for centers uses fields, which smooth these paths.
+ *
+ * Rejects as `Mesh.logMap` does, and with `KarcherError` badWeights unless there is one weight for
+ * each point, or notFinite for a weight that is not finite.
  */
 export async function energyAt(
   mesh: AnyMesh,
@@ -38,17 +42,35 @@ export async function energyAt(
   weights: ArrayLike<number>,
   at: PointLike,
 ): Promise<Energy> {
+  const masses = checkWeights(points, weights);
   const { vectors } = await mesh.logMap(at, points);
   const gradient: Vector = [0, 0, 0];
   let energy = 0;
-  for (let i = 0; i < points.length; i++) {
+  masses.forEach((mass, i) => {
     for (let k = 0; k < 3; k++) {
       const part = vectors[3 * i + k]!;
-      energy += weights[i]! * part ** 2;
-      gradient[k]! -= 2 * weights[i]! * part;
+      energy += mass * part ** 2;
+      gradient[k]! -= 2 * mass * part;
     }
-  }
+  });
   return { energy, gradient };
+}
+
+/** A copy of the weights. Throws unless there is one finite weight for each point. */
+export function checkWeights(
+  points: readonly PointLike[],
+  weights: ArrayLike<number>,
+): Float64Array {
+  const { length } = checkArray(points, 'the points');
+  const masses = toFloat64(weights, 'the weights');
+  if (masses.length !== length) {
+    const sentence = `there are ${length} points but ${masses.length} weights`;
+    throw new KarcherError('badWeights', sentence);
+  }
+  masses.forEach((mass, i) => {
+    checkNumber(mass, `weight ${i}`);
+  });
+  return masses;
 }
 
 /**
@@ -57,7 +79,8 @@ export async function energyAt(
  * where several shortest paths lead to one of the points, or where a shortest path changes from one
  * side of a vertex to the other.
  *
- * Rejects with `KarcherError` badArgument for a point on an edge or at a vertex.
+ * Rejects with `KarcherError` badArgument for a point on an edge or at a vertex; otherwise as
+ * `energyAt` does.
  */
 export async function hessianAt(
   mesh: AnyMesh,
@@ -122,7 +145,7 @@ export interface PointDerivative {
  * moves by the move of the point times the point's fraction of the weights.
  *
  * @throws {KarcherError} badArgument for a point on an edge or at a vertex, and where the Hessian
- *   is not positive definite; otherwise as `Mesh.logMap`.
+ *   is not positive definite; otherwise as `energyAt`.
  * @example
  * ```ts
  * const [{ axes, moves }] = await pointDerivatives(mesh, points, weights, center.point);

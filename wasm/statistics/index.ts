@@ -5,7 +5,7 @@
 import { checkArray, checkNumber, checkOptions, namesOf } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { PointLike, SurfacePoint } from '../types.js';
-import type { AnyMesh } from './energy.js';
+import { type AnyMesh, checkWeights } from './energy.js';
 import { stepFrom } from './median_step.js';
 
 export { KarcherError } from '../errors.js';
@@ -76,7 +76,7 @@ const huberNames = namesOf<HuberOptions>({ ...options, threshold: true });
  * points at its place. Rejects as `Mesh.centerOfMass` does, and with
  * `KarcherError` badArgument for a weight that is not positive.
  */
-export function median(
+export async function median(
   mesh: AnyMesh,
   points: readonly PointLike[],
   weights?: ArrayLike<number>,
@@ -99,7 +99,7 @@ export function median(
  * Rejects as `median` does, and with `KarcherError` badArgument for a threshold that is not
  * positive.
  */
-export function huberMean(
+export async function huberMean(
   mesh: AnyMesh,
   points: readonly PointLike[],
   weights: ArrayLike<number> | undefined,
@@ -138,7 +138,12 @@ async function search(
   { start, tolerance = 1e-7, mostSteps = 200 }: RobustOptions,
   { pull, cost, isSharp }: Rule,
 ): Promise<RobustMean> {
-  const own = checkWeights(weights, checkArray(points, 'the points').length);
+  const { length } = checkArray(points, 'the points');
+  const own = Array.from(checkWeights(points, weights ?? new Float64Array(length).fill(1)));
+  if (!own.every((weight) => weight > 0)) {
+    const sentence = 'the weights of a median or a Huber mean must be positive';
+    throw new KarcherError('badArgument', sentence);
+  }
   if (own.length === 0) {
     throw new KarcherError('tooFewPoints', 'a median or a Huber mean needs at least one point');
   }
@@ -191,16 +196,4 @@ async function search(
     steps,
     converged,
   };
-}
-
-function checkWeights(weights: ArrayLike<number> | undefined, count: number): number[] {
-  if (weights === undefined) return new Array<number>(count).fill(1);
-  const own = Array.from(weights, (weight, i) => checkNumber(weight, `weight ${i}`));
-  if (own.length === count && own.every((weight) => weight > 0)) return own;
-  throw new KarcherError(
-    'badArgument',
-    own.length === count
-      ? 'the weights of a median or a Huber mean must be positive'
-      : `there are ${count} points but ${own.length} weights`,
-  );
 }
