@@ -174,14 +174,21 @@ test('curves are split and joined again', async () => {
   const [first, second] = curve.split(1.5);
   expectSame(await traced('--curve', fileOf(joined)), first.join(second));
 
-  // A file of points describes a curve of the same kind.
-  const more = folder.write('more.txt', linesOf(places.toReversed()));
+  // A file of points, as lines or as other commands print them, describes a curve of the same kind.
   const clamped = { kind: 'bspline', degree: 2, knots: 'clamped', samples: 9 };
-  const both = await edited(...curveArgs, '--degree', '2', '--knots', 'clamped', '--join', more);
+  const back = points.toReversed();
   const expected = mesh
     .curve({ ...clamped, points })
-    .join(mesh.curve({ ...clamped, points: points.toReversed() }));
-  expectSame(await traced('--curve', fileOf(both)), expected);
+    .join(mesh.curve({ ...clamped, points: back }));
+  for (const more of [
+    folder.write('more.txt', linesOf(places.toReversed())),
+    fileOf(back),
+    fileOf({ points: back, positions: [], remaining: [] }),
+    fileOf({ levels: 0, samples: back }),
+  ]) {
+    const both = await edited(...curveArgs, '--degree', '2', '--knots', 'clamped', '--join', more);
+    expectSame(await traced('--curve', fileOf(both)), expected);
+  }
 });
 
 test('invalid curves and edits: a sentence and status 1', async () => {

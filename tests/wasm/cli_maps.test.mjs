@@ -395,9 +395,16 @@ test('a Voronoi diagram and centroids', async () => {
       .fill(y)
       .join(' '),
   );
-  const density = folder.write('density.txt', rows.join('\n'));
-  const [heavy] = (await printed('centroid', plane, '--density', density)).centroids;
-  near(heavy.position, [4, (2 / 3) * cells, 0], 1e-6);
+  const densities = rows.join(' ').split(' ').map(Number);
+  for (const text of [
+    rows.join('\n'),
+    JSON.stringify(densities),
+    JSON.stringify({ values: densities }),
+  ]) {
+    const density = folder.write('density.txt', text);
+    const [heavy] = (await printed('centroid', plane, '--density', density)).centroids;
+    near(heavy.position, [4, (2 / 3) * cells, 0], 1e-6);
+  }
   const corners = folder.write('corners.txt', [at(1, 1), at(4, 1), at(1, 4)].join('\n'));
   const triangle = ['--points', corners, '--kind', 'polyline', '--closed', '--samples', '900'];
   const [inside] = (await printed('centroid', plane, ...triangle)).centroids;

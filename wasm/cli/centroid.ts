@@ -1,5 +1,6 @@
 import type { Command } from './command.js';
 import { outlineOptions, readOutlines } from './outlines.js';
+import { parseNumbers } from './syntax.js';
 
 export const centroid: Command = {
   name: 'centroid',
@@ -12,7 +13,7 @@ export const centroid: Command = {
     {
       name: 'density',
       value: 'FILE',
-      help: 'the mass by area, a number for each vertex in the order of the mesh file',
+      help: 'the mass by area: a number for each vertex in the order of the mesh file, or JSON',
       default: '1 everywhere',
     },
     {
@@ -24,7 +25,9 @@ export const centroid: Command = {
   ],
   async run(args) {
     const statistics = await import('../statistics/index.js');
-    const density = args.given('density') ? (await args.rows('density')).flat() : undefined;
+    const density = args.given('density')
+      ? parseNumbers(await args.file('density'), args.text('density'))
+      : undefined;
     const samples = args.given('region-samples') ? args.integer('region-samples') : undefined;
     const options = { samples, density };
     const centroids = [];

@@ -2,7 +2,7 @@ import { namesOf } from '../check.js';
 import type { Curve } from '../curve.js';
 import type { CurveKind, CurveOptions, Parametrization } from '../types.js';
 import type { Arguments } from './arguments.js';
-import { curvesOfDrawing } from './drawing.js';
+import { curvesOfDrawing, figuresOf } from './drawing.js';
 import { UsageError } from './errors.js';
 import { type Option, pointsOption } from './options.js';
 import { isJson, parseJson, parsePoints } from './syntax.js';
@@ -127,7 +127,7 @@ function knotsOf(args: Arguments): 'uniform' | 'clamped' | number[] {
 export async function readOther(args: Arguments, name: string, like: Curve): Promise<CurveRecord> {
   const text = await args.file(name);
   const path = args.text(name);
-  if (text.trimStart().startsWith('{')) {
+  if (isJson(text) && hasCurve(parseJson(text, path))) {
     const curves = curvesOfFile(text, path);
     if (curves.length < 2) return curveOf(curves, 0, path);
     throw new UsageError(`${path} holds ${curves.length} curves: --${name} takes a file of one`);
@@ -140,6 +140,16 @@ export async function readOther(args: Arguments, name: string, like: Curve): Pro
     ...(kind === 'catmullrom' && { parametrization: like.parametrization }),
     points: parsePoints(text, path),
   };
+}
+
+/** Whether a value of JSON is a drawing, a list of curves, or a curve, which has not only points. */
+function hasCurve(value: unknown): boolean {
+  const names = Object.keys(Object(value));
+  return (
+    figuresOf(value) !== null ||
+    names.includes('curves') ||
+    names.some((name) => name !== 'points' && recordNames.includes(name))
+  );
 }
 
 /**
