@@ -48,7 +48,7 @@ export class MeshPlaces {
 
   /**
    * The three vertices of each triangle, as a new array. Triangles are in the caller's order, and
-   * vertices have the caller's numbers.
+   * vertices have the caller's numbers. Of welded vertices, triangles name the first.
    *
    * @example
    * ```ts

@@ -69,6 +69,9 @@ test('levels may have any order and repeat, and lines cross seams of welded vert
   assert.ok(Math.abs(low[0].length - 1.5) < 1e-15);
   assert.ok(Math.abs(high[0].length - 0.5) < 1e-15);
   assert.deepEqual(again[0].points(), high[0].points());
+  // Of welded vertices, the value of the first counts.
+  const [[line]] = await isolines(mesh, [0, 1, 1, 5, 5, 6], [3]);
+  assert.ok(triples(line.polyline(double)).every(([x]) => Math.abs(x - 1.5) < 1e-15));
 });
 
 test('isolines end at values that are not finite, and wrong values are refused', async () => {

@@ -24,8 +24,8 @@ export interface CentroidOptions {
   /** The largest number of steps; the default is 100. */
   mostSteps?: number | undefined;
   /**
-   * The mass per area: a value of at least 0 for each vertex, linear in triangles. By default it is
-   * 1 everywhere.
+   * The mass per area: a value of at least 0 for each vertex, linear in triangles. Of welded
+   * vertices, the value of the first counts. By default it is 1 everywhere.
    */
   density?: ArrayLike<number> | undefined;
 }

@@ -7,8 +7,9 @@ import { facesOf, firstOfWelded } from './surface.js';
 
 /**
  * The lines on which a function has given levels: a list of paths for each level. The function has
- * one value for each vertex and is linear in triangles. Lines that are not closed end on the
- * boundary, or at triangles with a value that is not finite. A level without points has no line.
+ * one value for each vertex and is linear in triangles. Of welded vertices, the value of the first
+ * counts. Lines that are not closed end on the boundary, or at triangles with a value that is not
+ * finite. A level without points has no line.
  *
  * Lines of distances are those of `mesh.isolines` with the type `linear`.
  *
