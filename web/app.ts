@@ -1,4 +1,5 @@
 import type { SurfacePoint } from 'karcher';
+import { Vector3 } from 'three';
 import { type Alignment, align } from './editor/engine/aligning';
 import type { Beside } from './editor/engine/beside';
 import { Comparison } from './editor/engine/comparison';
@@ -272,8 +273,10 @@ export async function start(): Promise<void> {
   const objectPanel = new ObjectPanel(
     editor,
     ({ figure }) => {
+      const { surface } = viewer;
       const [place] = placesOf(figure);
-      return viewer.surface && place ? viewer.reach(viewer.surface.position(place), 1) : 1;
+      // Derived objects have no places of their own, so the scene's middle stands for them.
+      return surface ? viewer.reach(place ? surface.position(place) : new Vector3(), 1) : 1;
     },
     (id) => session.centroidOf(id),
   );

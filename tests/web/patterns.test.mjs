@@ -60,6 +60,42 @@ describe('patterns of fills', () => {
     await tab.close();
   });
 
+  test('and units of widths that several objects take leave each its own numbers', async () => {
+    const styled = (width, spacing, points) =>
+      `kind=polyline&closed=1&points=${points}&width=${width}&fill=0.5&hatched=${spacing}`;
+    const [first, second] = [
+      '10,0.3,0.3;60,0.3,0.3;65,0.3,0.3',
+      '110,0.3,0.3;160,0.3,0.3;165,0.3,0.3',
+    ];
+    const others = [styled(2, 0.01, first), 'kind=union&of=1,2&width=4&fill=0.5&hatched=0.02'];
+    const tab = await Tab.open(
+      browser,
+      [`mesh=plane:grid:200&${styled(8, 0.03, second)}`, ...others.map(encodeURIComponent)].join(
+        '&other=',
+      ),
+    );
+    const { page } = tab;
+    const objects = async () => (await tab.state()).drawing.objects;
+    const before = await objects();
+    assert.equal(before.length, 3);
+    await page.keyboard.press('v');
+    await page.keyboard.press('Control+a');
+    await page.locator('#width-unit').selectOption('surface');
+    await tab.settled();
+    const inUnit = await objects();
+    assert.ok(inUnit.every(({ onSurface }) => onSurface));
+    const reaches = inUnit.map(({ width }, i) => width / before[i].width);
+    assert.ok(Math.max(...reaches) < 1.1 * Math.min(...reaches), `${reaches}`);
+    await choose(tab, 'striped');
+    assert.deepEqual(
+      (await objects()).map(({ pattern, spacing }) => [pattern, spacing]),
+      before.map(({ spacing }) => ['striped', spacing]),
+    );
+    for (let step = 0; step < 2; step++) await page.keyboard.press('Control+z');
+    assert.deepEqual(await objects(), before);
+    await tab.close();
+  });
+
   test('are undone, follow a drag, and are restored by a reload and by a link', async () => {
     const tab = await drawn('sphere:1500');
     const before = JSON.stringify((await tab.state()).drawing);

@@ -251,17 +251,18 @@ export function leavingCopies(drawing: Drawing, ids: readonly number[]): Command
   return together(steps);
 }
 
-/** Gives objects these properties. */
-export function restyling(
-  drawing: Drawing,
-  ids: readonly number[],
-  to: Partial<Properties>,
-): Command | null {
-  const names = Object.keys(to) as (keyof Properties)[];
+/** The properties that objects get: the same for all, or those that the function returns. */
+export type Restyled = Partial<Properties> | ((object: DrawnObject) => Partial<Properties>);
+
+/** Gives objects properties. */
+export function restyling(drawing: Drawing, ids: readonly number[], to: Restyled): Command | null {
   const steps = drawing.objects.flatMap((object): Command[] => {
-    if (!ids.includes(object.id) || names.every((name) => object[name] === to[name])) return [];
+    if (!ids.includes(object.id)) return [];
+    const wanted = typeof to === 'function' ? to(object) : to;
+    const names = Object.keys(wanted) as (keyof Properties)[];
+    if (names.every((name) => object[name] === wanted[name])) return [];
     const from = Object.fromEntries(names.map((name) => [name, object[name]]));
-    return [{ type: 'properties', id: object.id, from, to }];
+    return [{ type: 'properties', id: object.id, from, to: wanted }];
   });
   return together(steps);
 }

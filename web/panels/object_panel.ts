@@ -1,6 +1,7 @@
 import type { SurfacePoint } from 'karcher';
 import type { Editor } from '../editor/state/editor';
 import { type State, selectedObjects } from '../editor/state/state';
+import type { Restyled } from '../model/arranging';
 import { isDerived } from '../model/derived';
 import {
   activeObject,
@@ -12,7 +13,6 @@ import {
   leastOpacity,
   newObject,
   objectOf,
-  type Properties,
   surfaceWidths,
   widthRange,
 } from '../model/drawing';
@@ -128,7 +128,7 @@ export class ObjectPanel {
       this.#shown = null;
       if (state) this.show(state);
     });
-    const set = (to: Partial<Properties>) => editor.objects.setProperties(this.#targets, to);
+    const set = (to: Restyled) => editor.objects.setProperties(this.#targets, to);
     this.#name.maxLength = longestName;
     const rename = (name: string, id: number | null) => {
       const group = groupNamed(id, editor.state);
@@ -158,10 +158,13 @@ export class ObjectPanel {
     this.#pattern.addEventListener('change', () => {
       const pattern = this.#pattern.value as FillPattern;
       const none = selectedFills(editor.state).every((fill) => fill === 0);
-      const { active } = editor;
-      const usual = Number((usualSpacing * reachOf(active)).toPrecision(2));
-      const spacing = pattern === 'solid' ? null : inSurfaceWidths(active.spacing ?? usual);
-      set({ pattern, spacing, ...(none && pattern !== 'solid' && { fill: firstFill }) });
+      const spacingOf = (object: DrawnObject) =>
+        object.spacing ?? Number((usualSpacing * reachOf(object)).toPrecision(2));
+      set((object) => ({
+        pattern,
+        spacing: pattern === 'solid' ? null : inSurfaceWidths(spacingOf(object)),
+        ...(none && pattern !== 'solid' && { fill: firstFill }),
+      }));
     });
     this.#spacing = new NumberField(
       byId<HTMLInputElement>('pattern-spacing'),
@@ -193,16 +196,14 @@ export class ObjectPanel {
     );
     this.#widthUnit.addEventListener('change', () => {
       const onSurface = this.#isOnSurface;
-      const { active } = editor;
-      if (active.onSurface === onSurface) {
-        set({ onSurface, width: active.width });
-        return;
-      }
-      // Converts the width to the other unit, so that the line looks the same.
-      const reach = reachOf(active);
-      const width = Number((active.width * (onSurface ? reach : 1 / reach)).toPrecision(2));
       const { least, most } = onSurface ? surfaceWidths : widthRange;
-      set({ onSurface, width: Math.min(most, Math.max(least, width)) });
+      // Converts each width to the other unit, so that the lines look the same.
+      set((object) => {
+        if (object.onSurface === onSurface) return {};
+        const reach = reachOf(object);
+        const width = Number((object.width * (onSurface ? reach : 1 / reach)).toPrecision(2));
+        return { onSurface, width: Math.min(most, Math.max(least, width)) };
+      });
     });
     this.#look.addEventListener('click', () => editor.objects.toggleLook());
     this.#opacity = new NumberField(

@@ -5,12 +5,13 @@ import {
   duplication,
   grouping,
   groupNaming,
+  type Restyled,
   reordering,
   restyling,
 } from '../../model/arranging';
 import { type Command, joined } from '../../model/commands';
 import { isDerived } from '../../model/derived';
-import { type DrawnObject, lookOf, objectOf, type Properties } from '../../model/drawing';
+import { type DrawnObject, lookOf, objectOf } from '../../model/drawing';
 import { type Figure, type FillRule, type Inside, isEmpty, opposite } from '../../model/figure';
 import { type Selection, type State, selectedObjects } from './state';
 import type { CurveTool } from './tool';
@@ -87,7 +88,7 @@ export class ObjectEdits {
     this.setProperties(ids, { group: null });
   }
 
-  setProperties(ids: readonly number[], to: Partial<Properties>): void {
+  setProperties(ids: readonly number[], to: Restyled): void {
     this.#editor.interrupt();
     const { none } = this.#editor.state;
     this.#editor.perform(restyling(this.#editor.state.drawing, ids, to), { none });
