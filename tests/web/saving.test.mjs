@@ -303,6 +303,46 @@ describe('saving', () => {
     await tab.close();
   });
 
+  test('an SVG file has the points and hidden parts of objects as the view has them', async () => {
+    // The points and the line lie on all sides of the sphere.
+    const all = Array.from({ length: 30 }, (_, i) => `${50 * i},0.3,0.3`).join(';');
+    const dotted = encodeURIComponent(`kind=points&points=${all}&width=10&opacity=0.5&name=Dots`);
+    const tab = await Tab.open(
+      browser,
+      `mesh=sphere:1500&kind=polyline&points=0,0.3,0.3;1450,0.3,0.3&name=Line&other=${dotted}`,
+    );
+    const { page } = tab;
+    for (let times = 0; times < 3; times++) await page.keyboard.press('Escape');
+    await tab.settled();
+    const saved = async () => {
+      const { text } = await tab.save('SVG');
+      const group = (name) => {
+        const [, attributes, inside] = text.match(`<g([^>]*)><title>${name}</title>([^]*?)</g>`);
+        const hidden = inside.match(/<(circle|path)[^>]* opacity="0.3"/g) ?? [];
+        return {
+          attributes,
+          elements: inside.match(/<(circle|path)[^>]*>/g),
+          hidden: hidden.length,
+        };
+      };
+      assert.equal(text.match(/<circle/g).length, group('Dots').elements.length);
+      return [group('Dots'), group('Line')];
+    };
+    const [dots, line] = await saved();
+    assert.match(dots.attributes, / opacity="0.5"/);
+    assert.equal(dots.elements.length, 30);
+    assert.ok(dots.hidden > 8 && dots.hidden < 22, `${dots.hidden} hidden`);
+    // A point is 2.4 times as wide as a line.
+    for (const dot of dots.elements) assert.match(dot, / r="12"/);
+    assert.ok(line.hidden > 0);
+    await page.keyboard.press('h');
+    const [seenDots, seenLine] = await saved();
+    assert.deepEqual([seenDots.hidden, seenLine.hidden], [0, 0]);
+    assert.equal(seenDots.elements.length, 30 - dots.hidden);
+    await page.keyboard.press('h');
+    await tab.close();
+  });
+
   test('a drawing without a curve cannot be saved as one, and a file of another kind gives a sentence', async () => {
     const tab = await Tab.open(browser);
     await tab.page.locator('#save').click();

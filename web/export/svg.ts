@@ -2,6 +2,7 @@ import type { Planar } from '../model/cubic_fit';
 import type { SeenLine } from '../viewer/vantage';
 import { pathData } from './beziers';
 
+/** A line of an object or of the page; with a single place it is a dot. */
 export interface DrawnLine extends SeenLine {
   /** Consecutive lines of one object form a group with its name. */
   object?: { id: number; name: string; opacity: number; description?: string };
@@ -9,6 +10,8 @@ export interface DrawnLine extends SeenLine {
   width: number;
   /** The value of `stroke-dasharray`; a line without it is solid. */
   dashes?: string;
+  /** Whether the drawing omits the hidden parts of the line, as it does with an outline. */
+  visibleOnly?: boolean;
   /** Segments in another color, by the index of their first vertex. */
   lost?: { color: string; has(segment: number): boolean };
 }
@@ -40,7 +43,7 @@ export interface Drawing {
 
 /**
  * The drawing as it appears, as an SVG file. Parts of lines behind the surface are faint, or
- * missing if the drawing has an outline.
+ * missing if they are not to be seen.
  */
 export const svgOf = (drawing: Drawing): string => [...partsOfSvg(drawing)].join('');
 
@@ -73,15 +76,17 @@ export function* partsOfSvg({
         yield `<g id="object-${group.id}"${opacity}><title>${escaped(name)}</title>${words}\n`;
       }
     }
-    for (const path of pathsOf(line, outline ? 'left out' : 'faint')) yield `${path}\n`;
+    for (const path of pathsOf(line, outline || line.visibleOnly ? 'left out' : 'faint'))
+      yield `${path}\n`;
   }
   if (group) yield '</g>\n';
   yield '</g>\n';
   for (const { x, y, color, filled, hidden } of points) {
     if (outline && hidden) continue;
-    yield filled
-      ? `<circle cx="${short(x)}" cy="${short(y)}" r="4" fill="${color}"/>\n`
-      : `<circle cx="${short(x)}" cy="${short(y)}" r="4.5" fill="#fff" stroke="${color}" stroke-width="2.5"/>\n`;
+    const look = filled
+      ? `r="4" fill="${color}"`
+      : `r="4.5" fill="#fff" stroke="${color}" stroke-width="2.5"`;
+    yield `<circle cx="${short(x)}" cy="${short(y)}" ${look}${hidden ? faint : ''}/>\n`;
   }
   yield '</svg>\n';
 }
@@ -101,6 +106,9 @@ function* fillPath({ id, color, opacity, triangles }: DrawnFill): Generator<stri
   yield id === undefined ? '"/>\n' : `" id="fill-${id}"/>\n`;
 }
 
+/** The look of hidden parts. */
+const faint = ' opacity="0.3"';
+
 const outlineWidth = 1.5;
 
 function* outlinePaths({ lines, color }: NonNullable<Drawing['outline']>): Generator<string> {
@@ -116,13 +124,21 @@ function* outlinePaths({ lines, color }: NonNullable<Drawing['outline']>): Gener
   yield '</g>';
 }
 
-/** A path for each run of segments with the same look; hidden runs may be left out. */
+/**
+ * A circle for a dot, or a path for each run of segments with the same look. Hidden dots and runs
+ * may be left out.
+ */
 function pathsOf(
   { x, y, hidden, color, width, dashes, lost }: DrawnLine,
   behind: 'faint' | 'left out',
 ): string[] {
+  if (x.length === 1) {
+    if (hidden[0] && behind === 'left out') return [];
+    const place = `cx="${short(x[0]!)}" cy="${short(y[0]!)}" r="${short(width / 2)}"`;
+    return [`<circle ${place} fill="${color}"${hidden[0] ? faint : ''}/>`];
+  }
   const look = (segment: number) => {
-    const seen = hidden[segment] && hidden[segment + 1] ? ' opacity="0.3"' : '';
+    const seen = hidden[segment] && hidden[segment + 1] ? faint : '';
     const stroke = lost?.has(segment)
       ? `stroke="${lost.color}" stroke-dasharray="4 5"`
       : `stroke="${color}"${dashes ? ` stroke-dasharray="${dashes}"` : ''}`;

@@ -1,4 +1,5 @@
 import type { SurfacePoint } from 'karcher';
+import type { Vector3 } from 'three';
 import { polylinesOf } from '../editor/engine/compute';
 import type { ShownCut } from '../editor/engine/cut';
 import type { Session } from '../editor/engine/session';
@@ -19,6 +20,7 @@ import { gathered } from '../model/gathered';
 import { madeSource, meshLabel } from '../model/meshes';
 import { originsText } from '../model/origins';
 import type { ViewerColors } from '../viewer/colors';
+import { dotStyle } from '../viewer/object_lines';
 import type { SeenLine, Vantage } from '../viewer/vantage';
 import type { Viewer } from '../viewer/viewer';
 import { download } from './download';
@@ -275,29 +277,26 @@ export class SaveMenu {
     const { kind, points, circle } = this.editor.state.figure;
     const own = isRound(kind) ? (circle ? [circle.center] : []) : points;
     const handles = isOpen && ownToo ? own : [];
-    const dot = (point: SurfacePoint, color: string, filled = false) => ({
-      ...vantage.project(viewer.surface!.position(point)),
+    const dot = (place: Vector3, color: string, filled = false) => ({
+      ...vantage.project(place),
       ...{ color, filled },
     });
     const marks = ownToo ? this.#marks : [];
     const dots = Array.from({ length: marks.length / 3 }, (_, i) => {
       const place: Vector = [marks[3 * i]!, marks[3 * i + 1]!, marks[3 * i + 2]!];
-      const mark = viewer.surface!.inScene(place);
-      return { ...vantage.project(mark), color: colors.marks, filled: true };
+      return dot(viewer.surface!.inScene(place), colors.marks, true);
     });
-    dots.push(...handles.map((point) => dot(point, colors.curve)));
+    const at = (point: SurfacePoint) => viewer.surface!.position(point);
+    dots.push(...handles.map((point) => dot(at(point), colors.curve)));
+    if (center) dots.push(dot(at(center.point), colors.center));
     // Without handles, single points look like those of other objects.
     const isSingle = kind === 'points' && ownToo && !isOpen && active.visible;
-    if (isSingle)
-      dots.push(...points.map((point) => dot(point, active.color ?? colors.curve, true)));
-    if (center) dots.push(dot(center.point, colors.center));
-    for (const { style: look, points: single, center: mass } of others) {
-      const all = mass ? [...single, mass] : single;
-      dots.push(...all.map((point) => dot(point, look.color ?? colors.curve, true)));
-    }
     const { objects } = this.editor.state.drawing;
-    const shown = { ...view, others, ...(ownToo ? {} : { curve: null, isolines: null, legs: [] }) };
-    const lines = await gathered(seenLines(shown, active, objects, vantage, colors));
+    const shown = {
+      ...{ ...view, others, single: isSingle ? points : [] },
+      ...(ownToo ? {} : { curve: null, isolines: null, legs: [] }),
+    };
+    const lines = await gathered(seenLines(shown, active, objects, viewer, vantage, colors));
     const all = await gathered(seenFills(viewer, vantage, colors));
     const fills = all.filter(({ id }) => this.#isMeant(id));
     const inFront = dots.filter(({ height }) => height >= 0);
@@ -318,9 +317,10 @@ function* seenFills(
 }
 
 function* seenLines(
-  { curve, isolines, legs, others }: View,
+  { curve, isolines, legs, others, single }: View & { single: readonly SurfacePoint[] },
   active: DrawnObject,
   objects: readonly DrawnObject[],
+  viewer: Viewer,
   vantage: Vantage,
   colors: ViewerColors,
 ): Generator<DrawnLine> {
@@ -334,11 +334,26 @@ function* seenLines(
       yield { ...part, ...look, ...(isLost && { lost: { color: colors.lost, has } }) };
     }
   }
-  for (const { id, style, lines } of others) {
+  const visibleOnly = !viewer.hiddenLines;
+  const named = (object: DrawnObject) => ({ visibleOnly, object: titled(object) });
+  function* dots(points: readonly SurfacePoint[], style: LineStyle): Generator<DrawnLine> {
+    const wide = dotStyle(style);
+    for (const point of points) {
+      const place = viewer.surface!.position(point);
+      const { x, y, hidden, height } = vantage.project(place);
+      const width = vantage.seenWidth(wide, place);
+      const look = drawnStyle(wide, width, colors.curve);
+      if (height >= 0) yield { x: [x], y: [y], hidden: [hidden], ...look };
+    }
+  }
+  for (const { id, style, lines, points, center } of others) {
     const object = objects.find((one) => one.id === id);
     for (const line of lines) {
       const look = drawnStyle(style, vantage.widthOf(style, line), colors.curve);
       yield* drawn(line, { ...look, ...(object && named(object)) });
+    }
+    for (const dot of dots(center ? [...points, center] : points, style)) {
+      yield { ...dot, ...(object && named(object)) };
     }
   }
   for (const leg of legs) yield* drawn(leg, { color: colors.polygon, width: 1.2 });
@@ -351,6 +366,7 @@ function* seenLines(
     yield* drawn(polyline, own(polyline), (segment) => polylineStatus[segment + 1] === 1);
   }
   for (const { polyline } of isolines?.lines ?? []) yield* drawn(polyline, own(polyline));
+  for (const dot of dots(single, active)) yield { ...dot, ...named(active) };
 }
 
 /** Red, green and blue of `#rrggbb` or `rgb(r, g, b)`, 0 to 255. */
@@ -361,11 +377,9 @@ function bytesOfColor(color: string): [number, number, number] {
   return [r, g, b];
 }
 
-const named = (object: DrawnObject) => ({
-  object: {
-    ...{ id: object.id, name: nameOf(object), opacity: object.opacity },
-    description: originsText(object.figure),
-  },
+const titled = (object: DrawnObject) => ({
+  ...{ id: object.id, name: nameOf(object), opacity: object.opacity },
+  description: originsText(object.figure),
 });
 
 /** A line's style in an SVG, where dashes are in pixels. */

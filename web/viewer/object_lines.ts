@@ -51,6 +51,13 @@ export const mostMarks = 253;
 /** The width of a point, as a factor on the line's width. */
 const dotWidth = 2.4;
 
+/** The style of an object's single points, as lines so short that their round ends are dots. */
+export const dotStyle = (style: LineStyle): LineStyle => ({
+  ...style,
+  width: dotWidth * style.width,
+  dash: 'solid',
+});
+
 /** A line so short that its round ends are a dot. */
 export const dotAt = ({ x, y, z }: Vector3) => Float32Array.of(x, y, z, x + 1e-4, y, z);
 
@@ -103,7 +110,7 @@ export class ObjectLines {
     for (const { style, lines, dots } of objects) {
       if (lines.length > 0) add(style, lines);
       if (dots.length > 0) {
-        add({ ...style, width: dotWidth * style.width, dash: 'solid' }, dots.map(dotAt));
+        add(dotStyle(style), dots.map(dotAt));
       }
     }
     for (const [key, line] of this.#lines) {
