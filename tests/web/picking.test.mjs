@@ -96,6 +96,19 @@ describe('on the stage', () => {
     assert.ok(crossed > 20, `${crossed} places where the back is nearer`);
   });
 
+  test('a dot takes clicks on its whole disc, which is wider than a line of its object', () => {
+    const vantage = viewOf(ball, 6);
+    const front = new Vector3(0, 0, 1);
+    const wide = { ...style, width: 20 };
+    const [dot] = [[0, 0, 1, 1e-4, 0, 1]].map((line) => Float32Array.from(line));
+    const objects = [{ id: 7, style: wide, locked: false, lines: [], dots: [front] }];
+    const { x, y } = vantage.onStage(front.clone());
+    const found = (dx) =>
+      new modules.LinesAt(vantage, { ...pickable(dot), objects }, { x: x + dx, y }).object(5);
+    const radius = (2.4 * wide.width) / 2;
+    assert.deepEqual([0, 12, radius - 1, radius + 1].map(found), [7, 7, 7, null]);
+  });
+
   /** Open space, for lines and triangles that nothing hides. */
   const open = { frame: { scale: 1 }, depth: () => Infinity, toScene: (line) => line };
   const near = 0.01;

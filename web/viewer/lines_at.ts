@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import type { LineStyle } from '../model/drawing';
-import { dotAt, type ObjectDrawing } from './object_lines';
+import { dotAt, dotStyle, type ObjectDrawing } from './object_lines';
 import type { Vantage } from './vantage';
 
 /** The lines that a pointer may pick, in the scene. */
@@ -44,8 +44,10 @@ export class LinesAt {
    */
   object(within: number): number | null {
     const found = this.lines.objects.findLast(({ locked, style, lines, dots }) => {
-      const isSeen = (line: Float32Array) => this.#pointOf(line, within, style);
-      return !locked && (lines.some(isSeen) || dots.some((dot) => isSeen(dotAt(dot))));
+      const isSeen = (look: LineStyle) => (line: Float32Array) => this.#pointOf(line, within, look);
+      return (
+        !locked && (lines.some(isSeen(style)) || dots.map(dotAt).some(isSeen(dotStyle(style))))
+      );
     });
     return found?.id ?? null;
   }
