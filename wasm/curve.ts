@@ -270,7 +270,7 @@ export class Curve {
    * number of points changes, weights, betas and custom knots are not allowed.
    */
   setPoints(points: readonly PointLike[]): void {
-    this.#edit('setPoints', wirePoints(points));
+    this.#edit('setPoints', 0, wirePoints(points));
   }
 
   /** Appends a control point. */
@@ -301,7 +301,7 @@ export class Curve {
    * badArgument for the kind `custom`, and if the parameter has a control point or too many knots.
    */
   insertOnCurve(parameter: number): number {
-    return this.#edit('insertOnCurve', checkNumber(parameter, 'the parameter'));
+    return this.#edit('insertOnCurve', 0, checkNumber(parameter, 'the parameter'));
   }
 
   /**
@@ -356,12 +356,12 @@ export class Curve {
    * created with a basis.
    */
   setKind(kind: CurveKind): void {
-    this.#edit('setKind', checkKind(kind));
+    this.#edit('setKind', 0, checkKind(kind));
   }
 
   /** Closes or opens the curve. Its control points stay. */
   setClosed(closed: boolean): void {
-    this.#edit('setClosed', checkBoolean(closed, 'closed'));
+    this.#edit('setClosed', 0, checkBoolean(closed, 'closed'));
   }
 
   /** Sets the weight of point `i`, for the kinds `bspline` and `rational`, without new fields. */
@@ -371,7 +371,7 @@ export class Curve {
 
   /** Sets the weights of all points, as `setWeight` does for one. */
   setWeights(weights: ArrayLike<number>): void {
-    this.#edit('setWeights', givenNumbers(weights, 'the weights'));
+    this.#edit('setWeights', 0, givenNumbers(weights, 'the weights'));
   }
 
   /** Sets the beta of point `i`, for the kind `barycentric`, without new fields. */
@@ -381,7 +381,7 @@ export class Curve {
 
   /** Sets the betas of all points, as `setBeta` does for one. */
   setBetas(betas: ArrayLike<number>): void {
-    this.#edit('setBetas', givenNumbers(betas, 'the betas'));
+    this.#edit('setBetas', 0, givenNumbers(betas, 'the betas'));
   }
 
   /**
@@ -481,12 +481,8 @@ export class Curve {
     return this.#guard(() => this.#handle.call(work));
   }
 
-  #edit<Name extends keyof EngineCurveEdits>(
-    name: Name,
-    ...args: Parameters<EngineCurve[Name]>
-  ): ReturnType<EngineCurve[Name]> {
-    type Edit = (...args: Parameters<EngineCurve[Name]>) => ReturnType<EngineCurve[Name]>;
-    const result = this.#call((curve) => (curve[name] as Edit).apply(curve, args));
+  #edit<Name extends keyof EngineCurveEdits>(name: Name, i = 0, to?: EngineCurveEdits[Name]) {
+    const result = this.#call((curve) => curve.edit(name, i, to));
     this.#parts = undefined;
     this.#facts = undefined;
     this.#edits++;

@@ -319,28 +319,38 @@ export interface EngineMinimum {
   energy: number;
 }
 
-/** The edits of a curve. An edit that fails changes nothing. */
+/** What each edit of a curve sets. The edits have the names of methods of `Curve`. */
 export interface EngineCurveEdits {
-  movePoint(i: number, point: Float64Array): void;
+  movePoint: Float64Array;
   /** Moves a point and continues its legs from their present course. */
-  dragPoint(i: number, point: Float64Array): void;
-  insertPoint(i: number, point: Float64Array): void;
-  removePoint(i: number): void;
-  movePointInOrder(from: number, to: number): void;
-  reverse(): void;
-  setKind(kind: CurveKind): void;
-  setClosed(closed: boolean): void;
-  setWeight(i: number, weight: number): void;
-  setBeta(i: number, beta: number): void;
-  setPoints(points: Float64Array): void;
-  setWeights(weights: Float64Array): void;
-  setBetas(betas: Float64Array): void;
-  /** Returns the number of the new control point. */
-  insertOnCurve(parameter: number): number;
+  dragPoint: Float64Array;
+  insertPoint: Float64Array;
+  removePoint: undefined;
+  /** The point's new number. */
+  movePointInOrder: number;
+  reverse: undefined;
+  setKind: CurveKind;
+  setClosed: boolean;
+  setWeight: number;
+  setBeta: number;
+  setPoints: Float64Array;
+  setWeights: Float64Array;
+  setBetas: Float64Array;
+  /** The parameter of the new control point. */
+  insertOnCurve: number;
 }
 
-export interface EngineCurve extends EngineCurveEdits {
+export interface EngineCurve {
   delete(): void;
+  /**
+   * Makes an edit of control point `i`, or of the whole curve. Returns the number of a control
+   * point that it inserted on the curve. An edit that fails changes nothing.
+   */
+  edit<Name extends keyof EngineCurveEdits>(
+    name: Name,
+    i: number,
+    to: EngineCurveEdits[Name] | undefined,
+  ): number;
   /** Changes the curve into the one that a value describes, and returns its view (view.ts). */
   set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
   view(options: EngineViewOptions): Uint8Array;

@@ -41,35 +41,46 @@ val CurveHandle::value() const {
   return toJs(mesh_, {curve_.shape(), curve_.points(), curve_.value().legs});
 }
 
-void CurveHandle::movePoint(int i, const val& point) {
-  curve_.movePoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+int CurveHandle::edit(const std::string& name, int i, const val& to) {
+  const Numbering& numbering = mesh_.numbering();
+  const TriangleMesh& mesh = mesh_.mesh();
+  const auto number = [&] { return to.as<double>(); };
+  if (name == "movePoint") {
+    curve_.movePoint(i, pointFromJs(numbering, mesh, to));
+  } else if (name == "dragPoint") {
+    curve_.dragPoint(i, pointFromJs(numbering, mesh, to));
+  } else if (name == "insertPoint") {
+    curve_.insertPoint(i, pointFromJs(numbering, mesh, to));
+  } else if (name == "removePoint") {
+    curve_.removePoint(i);
+  } else if (name == "movePointInOrder") {
+    curve_.movePointInOrder(i, static_cast<int>(number()));
+  } else if (name == "reverse") {
+    curve_.reverse();
+  } else if (name == "setKind") {
+    curve_.setKind(curveKind(to.as<std::string>()));
+  } else if (name == "setClosed") {
+    curve_.setClosed(to.as<bool>());
+  } else if (name == "setWeight") {
+    curve_.setWeight(i, number());
+  } else if (name == "setBeta") {
+    curve_.setBeta(i, number());
+  } else if (name == "setPoints") {
+    curve_.set(withPoints(curve_.value(), pointsFromJs(numbering, mesh, to)));
+  } else if (name == "setWeights") {
+    // `withWeight` refuses kinds without weights.
+    CurveValue value = withWeight(curve_.value(), 0, 1);
+    value.options.shape.weights = fromJs<double>(to);
+    curve_.set(std::move(value));
+  } else if (name == "setBetas") {
+    CurveValue value = withBeta(curve_.value(), 0, 1);
+    value.options.shape.betas = fromJs<double>(to);
+    curve_.set(std::move(value));
+  } else {
+    return insertOnCurve(number());
+  }
   line_.reset();
-}
-
-void CurveHandle::dragPoint(int i, const val& point) {
-  curve_.dragPoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
-  line_.reset();
-}
-
-void CurveHandle::insertPoint(int i, const val& point) {
-  become(withPointInserted(curve_.value(), i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point)));
-}
-
-void CurveHandle::setPoints(const val& points) {
-  become(withPoints(curve_.value(), pointsFromJs(mesh_.numbering(), mesh_.mesh(), points)));
-}
-
-void CurveHandle::setWeights(const val& weights) {
-  // `withWeight` refuses kinds without weights.
-  CurveValue value = withWeight(curve_.value(), 0, 1);
-  value.options.shape.weights = fromJs<double>(weights);
-  become(std::move(value));
-}
-
-void CurveHandle::setBetas(const val& betas) {
-  CurveValue value = withBeta(curve_.value(), 0, 1);
-  value.options.shape.betas = fromJs<double>(betas);
-  become(std::move(value));
+  return i;
 }
 
 int CurveHandle::insertOnCurve(double parameter) {

@@ -23,24 +23,9 @@ class CurveHandle {
   /// The legs, as `legsAndShorterToJs` of legs.h returns them.
   val legs() { return legsAndShorterToJs(mesh_, curve_); }
 
-  void movePoint(int i, const val& point);
-  /// Moves a point and continues its legs from their present course.
-  void dragPoint(int i, const val& point);
-  void insertPoint(int i, const val& point);
-  void removePoint(int i) { become(withPointRemoved(curve_.value(), i)); }
-  void movePointInOrder(int from, int to) {
-    become(withPointMovedInOrder(curve_.value(), from, to));
-  }
-  void reverse() { become(reversed(curve_.value())); }
-  void setKind(const std::string& kind) { become(withKind(curve_.value(), curveKind(kind))); }
-  void setClosed(bool closed) { become(withClosed(curve_.value(), closed)); }
-  void setWeight(int i, double weight) { become(withWeight(curve_.value(), i, weight)); }
-  void setBeta(int i, double beta) { become(withBeta(curve_.value(), i, beta)); }
-  void setPoints(const val& points);
-  void setWeights(const val& weights);
-  void setBetas(const val& betas);
-  /// Inserts a control point on the curve and returns its number.
-  int insertOnCurve(double parameter);
+  /// Makes the edit of this name, and sets what `EngineCurveEdits` of karcher-engine.d.mts says.
+  /// Returns the number of the point that it inserted on the curve, else `i`.
+  int edit(const std::string& name, int i, const val& to);
   /// Splits the curve at a parameter and returns a list of its parts' values.
   val splitAt(double parameter);
   val joined(const CurveHandle& other);
@@ -61,6 +46,7 @@ class CurveHandle {
   val equallySpaced(int count);
 
  private:
+  int insertOnCurve(double parameter);
   void become(CurveValue value);
   const CurveLine& line();
   val curvePointToJs(const CurvePoint& at) const;
