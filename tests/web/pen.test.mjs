@@ -114,6 +114,43 @@ describe('the pen', () => {
     await page.close();
   });
 
+  test('takes a typed value before the press that ends the typing', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await page.keyboard.press('p');
+    await tab.click([-100, 40], [0, -40]);
+    const type = async (text) => {
+      await page.locator('#width').fill('');
+      await page.locator('#width').pressSequentially(text);
+    };
+    const widthOf = async () => (await tab.state()).drawing.objects.at(-1).width;
+    await type('7');
+    await tab.click([100, 50]);
+    assert.equal((await penOf(tab)).points.length, 3, 'the click places its anchor');
+    assert.equal((await tab.state()).selection, 2);
+    assert.equal(await widthOf(), 7);
+    await type('9');
+    const [, before] = (await penOf(tab)).points;
+    await tab.dragHandle('Anchor 2 of 3', 20, 30);
+    assert.notDeepEqual((await penOf(tab)).points[1], before, 'the drag moves its anchor');
+    assert.equal(await widthOf(), 9);
+    await page.locator('#tool-transform').click();
+    await page.getByRole('button', { name: 'Turn the selection' }).waitFor();
+    await tab.still();
+    await type('5');
+    const turned = await penOf(tab);
+    const { x, y } = await tab.handle('Turn the selection');
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 30, y + 20, { steps: 4 });
+    await page.waitForFunction(() => window.karcherPage.state().dragging);
+    await page.mouse.up();
+    await page.waitForFunction(() => !window.karcherPage.state().dragging);
+    assert.notDeepEqual((await penOf(tab)).points, turned.points, 'the drag turns the curve');
+    assert.equal(await widthOf(), 5);
+    await tab.close();
+  });
+
   test('closes at the first anchor, ends with Escape, and a double click on the curve adds an anchor', async () => {
     const tab = await drawn();
     const { page } = tab;

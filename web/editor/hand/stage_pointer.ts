@@ -49,6 +49,15 @@ const placeOf = (event: PointerEvent): Place => ({
 });
 
 /**
+ * Takes the focus from a field. Its typed value is an edit, which would interrupt the gesture if it
+ * took effect only when the press moves the focus.
+ */
+function endTyping(): void {
+  const { activeElement } = document;
+  if (activeElement?.matches('input, textarea')) (activeElement as HTMLElement).blur();
+}
+
+/**
  * Distributes presses on the stage to the tools that draw and drag there. The first tool that takes
  * a press keeps the pointer until its release, Escape, or another finger's press.
  */
@@ -94,6 +103,7 @@ export class StagePointer implements Held {
 
   #down(event: PointerEvent): void {
     const { stage } = this;
+    endTyping();
     const free = event.target === stage || event.target instanceof HTMLCanvasElement;
     if (!free || event.button !== 0 || this.#pressed || this.severalFingers()) return;
     // The view takes presses while the space bar is down, and presses with Alt that no tool takes.
