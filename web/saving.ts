@@ -96,6 +96,8 @@ export function saveChanges(
     save(editor.state);
   };
   window.addEventListener('pagehide', flush);
+  // An address to which the user navigates is the newest one again.
+  window.addEventListener('hashchange', () => rememberInTab('overtaken', ''));
   document.addEventListener('visibilitychange', () => {
     if (document.hidden) flush();
   });

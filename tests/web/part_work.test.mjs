@@ -117,10 +117,17 @@ describe('work on a part', () => {
     await page.mouse.click(x + 60, y + 50, { button: 'right' });
     await page.getByRole('menuitem', { name: 'Work on Part 2', exact: true }).click();
     await onFile(tab);
+    await tab.pastSaving();
     await page.goBack();
-    await page.waitForFunction(() => window.karcherPage.state().mesh === 'sphere:3000');
-    await tab.settled();
-    assert.equal(JSON.stringify(await drawingOf(tab)), whole);
+    const back = async () => {
+      await page.waitForFunction(() => window.karcherPage?.state().mesh === 'sphere:3000');
+      await tab.settled();
+      assert.equal(JSON.stringify(await drawingOf(tab)), whole);
+    };
+    await back();
+    await tab.pastSaving();
+    await page.reload();
+    await back();
     await tab.close();
   });
 
