@@ -131,7 +131,7 @@ export async function start(): Promise<void> {
   const edits = new CurveEdits(editor, session);
   const shorten = (index: number) => {
     const shorter = session.view.shorter[index];
-    if (shorter) editor.takeShortest(shorter.index);
+    if (shorter) edits.takeShortest(shorter.index);
   };
   const measure = new Measure(session);
   const distances = new Distances(editor, session);

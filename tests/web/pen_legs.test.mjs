@@ -91,7 +91,7 @@ describe('legs of the pen', () => {
     await page.settled();
     assert.deepEqual(figure(), drawn);
     isNear(length(), 1.9);
-    page.editor.takeShortest(0);
+    page.edits.takeShortest(0);
     await page.settled();
     assert.ok(length() < 1.3, `${length()} long`);
     assert.deepEqual(page.session.view.shorter, []);

@@ -64,6 +64,13 @@ export const savedDrawing = ({ active, objects }: Drawing) => ({
   objects,
 });
 
+/** The sentence about the first limit that a drawing exceeds; null if it exceeds none. */
+export function excessOf({ objects }: Drawing): string | null {
+  if (objects.length > mostObjects) return `A drawing may have up to ${mostObjects} objects.`;
+  const over = objects.some(({ figure }) => figure.points.length > mostPoints);
+  return over ? `A curve may have up to ${mostPoints} points.` : null;
+}
+
 /** The drawing in a value of JSON. Throws a sentence about the first fault. */
 export function readDrawing(value: unknown): Drawing {
   const { format, version, active, objects } = record(value, 'the drawing');

@@ -13,6 +13,7 @@ import {
   type Spline,
   type Vector,
   withInside,
+  withLeg,
 } from '../../model/figure';
 import { applyToFigure, type FigureCommand } from '../../model/figure_commands';
 import { withFittingLegs } from '../../model/legs';
@@ -281,6 +282,13 @@ export class CurveEdits {
       { type: 'delete', index: indexOf(drawing, id), object },
     ];
     this.editor.perform({ type: 'steps', steps }, { selection: null });
+  }
+
+  /** Replaces the leg from a control point to the next by the shortest path. */
+  takeShortest(index: number): void {
+    const { editor } = this;
+    const from = editor.state.figure.points[index];
+    if (from?.leg) editor.run({ type: 'change', index, from, to: withLeg(from, null) });
   }
 
   reverse(): Promise<void> {

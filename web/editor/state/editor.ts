@@ -18,7 +18,6 @@ import {
   isRound,
   isUnfinished,
   type Kind,
-  withLeg,
 } from '../../model/figure';
 import { applyToFigure, type FigureCommand, fitted } from '../../model/figure_commands';
 import {
@@ -30,6 +29,7 @@ import {
   stepForth,
 } from '../../model/history';
 import type { MethodId } from '../../model/methods';
+import { excessOf } from '../../model/saved_drawing';
 import { Begun } from './begun';
 import { ObjectEdits, type PartOfStep } from './object_edits';
 import {
@@ -100,6 +100,7 @@ export class Editor {
     this.cancelDrag();
     const whole = this.begun.gone(command, this.#state.drawing);
     const drawing = apply(this.#state.drawing, whole);
+    if (this.#exceeds(command, drawing)) return;
     record(this.#history, whole);
     this.#change({ drawing, ...part, tool: this.#resting }, true);
   }
@@ -156,6 +157,7 @@ export class Editor {
     const command = ended && this.begun.gone(this.#withInside(ended), base);
     const isAsShown = command === this.#drag.command;
     const drawing = isAsShown ? this.#state.drawing : apply(base, command!);
+    if (command && this.#exceeds(command, drawing)) return;
     if (command && base !== drawing) record(this.#history, command);
     this.#drag = null;
     this.#change({ drawing, dragging: false, dragged: noNumbers }, false);
@@ -196,12 +198,6 @@ export class Editor {
   interrupt(): void {
     this.onInterrupt();
     this.cancelDrag();
-  }
-
-  /** Replaces the leg from a control point to the next by the shortest path. */
-  takeShortest(index: number): void {
-    const from = this.#state.figure.points[index];
-    if (from?.leg) this.run({ type: 'change', index, from, to: withLeg(from, null) });
   }
 
   /** The drawing without the drag under way. */
@@ -466,6 +462,15 @@ export class Editor {
     return locked;
   }
 
+  /** Whether a step leads beyond a limit of what the page reads; if so, it is refused. */
+  #exceeds({ type }: Command, to: Drawing): boolean {
+    const why = type === 'draw' || excessOf(this.baseDrawing) ? null : excessOf(to);
+    if (!why) return false;
+    this.cancelDrag();
+    this.onRefusal(why);
+    return true;
+  }
+
   get #history(): History {
     const { mesh } = this.#state;
     let history = this.#histories.get(mesh);
@@ -482,11 +487,6 @@ export class Editor {
     const chosen = this.#state.chosen.filter((id) => indexOf(drawing, id) >= 0);
     const selection = selectionAfter(command, drawing, this.#state.selection);
     this.#change({ drawing, selection, chosen }, true);
-  }
-
-  /** Keeps the begun object when it loses the selection, since it is a source now. */
-  keepBegun(): void {
-    this.begun.keep();
   }
 
   #change(part: StateChange, newEpoch: boolean): void {

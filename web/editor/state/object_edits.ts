@@ -13,14 +13,15 @@ import { type Command, joined } from '../../model/commands';
 import { isDerived } from '../../model/derived';
 import { type DrawnObject, lookOf, objectOf } from '../../model/drawing';
 import { type Figure, type FillRule, type Inside, isEmpty, opposite } from '../../model/figure';
+import type { Begun } from './begun';
 import { type Selection, type State, selectedObjects } from './state';
 import type { CurveTool } from './tool';
 
 /** The parts of the editor that edits of whole objects need. */
 interface Editing {
   readonly state: State;
+  readonly begun: Pick<Begun, 'keep'>;
   perform(command: Command | null, part?: PartOfStep): void;
-  keepBegun(): void;
   interrupt(): void;
   setTool(tool: CurveTool): void;
   rest(): void;
@@ -75,7 +76,8 @@ export class ObjectEdits {
   }
 
   #perform(made: ReturnType<typeof addition>, of: readonly number[]): void {
-    if (made && of.includes(this.#editor.state.drawing.active)) this.#editor.keepBegun();
+    // The begun object may lose the selection, since it is a source now.
+    if (made && of.includes(this.#editor.state.drawing.active)) this.#editor.begun.keep();
     if (made) this.#editor.perform(made.command, { selection: null, chosen: made.ids });
   }
 
