@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { arraysOfShape, openPage } from './engine_in_node.mjs';
+import { load } from './figures.mjs';
 import { randoms, seed } from './part.mjs';
 import {
   bernstein,
@@ -115,6 +116,21 @@ describe('curves of the pen', () => {
     assert.ok(Math.abs(after.curve.length / before.curve.length - 1) < 1e-4);
     plane.editor.undo();
     assert.deepEqual(plane.editor.state.figure.points, points);
+  });
+
+  test('have their last segment at their end', async () => {
+    const points = await anchors(plane);
+    const { tangents, curve } = await drawPen(plane, points);
+    const { figure } = plane.editor.state;
+    const { segmentAt, withAnchorAt } = await load('model/pen.ts');
+    assert.deepEqual(segmentAt(figure, 3), { from: 2, to: 3, t: 1 });
+    const closed = { ...figure, settings: { ...figure.settings, closed: true } };
+    assert.deepEqual(segmentAt(closed, 3), { from: 3, to: 0, t: 0 });
+    assert.deepEqual(segmentAt(closed, 4), { from: 3, to: 0, t: 1 });
+    const [end] = points.slice(-1);
+    const made = withAnchorAt(figure, tangents, 3, end, [1, 0, 0], curve.samples);
+    assert.equal(made.index, 3, 'the new anchor comes before the last one');
+    assert.deepEqual(made.points[0], points[0], 'the first anchor stays as it is');
   });
 
   test('have handles that stay opposite at smooth anchors, and keep their lengths', async () => {

@@ -111,6 +111,21 @@ const isClosed = ({ settings, points }: Figure) => settings.closed && points.len
 /** The number of segments of a curve of the pen. */
 export const segmentsOf = (figure: Figure) => figure.points.length - (isClosed(figure) ? 0 : 1);
 
+/** A place between two anchors. */
+export interface OnSegment {
+  /** The indices of the segment's anchors. */
+  from: number;
+  to: number;
+  /** The parameter on the segment, from 0 to 1. */
+  t: number;
+}
+
+/** The segment at a parameter of the whole curve. */
+export function segmentAt(figure: Figure, parameter: number): OnSegment {
+  const from = Math.min(Math.floor(parameter), segmentsOf(figure) - 1);
+  return { from, to: (from + 1) % figure.points.length, t: parameter - from };
+}
+
 /**
  * The curve of anchors with their handles as drawn: a B-spline of degree 3 with threefold knots, so
  * that each segment is the Bézier curve of its two anchors and the handles between them.
@@ -179,16 +194,15 @@ export function withHandleLength(
  * the two new segments lie along the samples.
  */
 export function withAnchorAt(
-  { points }: Figure,
+  figure: Figure,
   drawn: readonly DrawnTangents[],
   parameter: number,
   place: SurfacePoint,
   derivative: Vector,
   samples: Omit<CurveSamples, 'status'>,
 ): { points: ControlPoint[]; index: number } {
-  const segment = Math.min(Math.floor(parameter), points.length - 1);
-  const t = parameter - segment;
-  const next = (segment + 1) % points.length;
+  const { points } = figure;
+  const { from: segment, to: next, t } = segmentAt(figure, parameter);
   const speed = Math.hypot(...derivative);
   const direction = derivative.map((value) => value / (speed || 1)) as Vector;
   const shortened = (index: number, side: Side, part: number): ControlPoint => {

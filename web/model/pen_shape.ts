@@ -1,23 +1,8 @@
 /** Changes of a pen curve's shape between its anchors: bending a segment, and fitting fewer segments. */
 import { type Cubic, cubicAt, nearestCubic, type Planar } from './cubic_fit';
 import type { Figure, Side, Tangent, Vector } from './figure';
-import { withHandleAt, withTangents } from './pen';
+import { type OnSegment, withHandleAt, withTangents } from './pen';
 import type { DrawnTangents } from './pen_legs';
-
-/** A place between two anchors. */
-export interface OnSegment {
-  /** The indices of the segment's anchors. */
-  from: number;
-  to: number;
-  /** The parameter on the segment, from 0 to 1. */
-  t: number;
-}
-
-/** The segment at a parameter of the whole curve. */
-export function segmentAt({ points }: Figure, parameter: number): OnSegment {
-  const from = Math.min(Math.floor(parameter), points.length - 1);
-  return { from, to: (from + 1) % points.length, t: parameter - from };
-}
 
 /**
  * The shifts of a segment's two handles that move its point at a parameter by 1, with the smallest

@@ -2,9 +2,9 @@
 import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
 import { type Figure, plain, type Vector } from '../../model/figure';
 import type { FigureCommand } from '../../model/figure_commands';
-import { penOptions } from '../../model/pen';
+import { type OnSegment, penOptions } from '../../model/pen';
 import type { DrawnTangents } from '../../model/pen_legs';
-import { bendingParts, type OnSegment, withBentSegment } from '../../model/pen_shape';
+import { bendingParts, withBentSegment } from '../../model/pen_shape';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient, LooseCurve } from '../../worker/client';
 import { directionOf } from './circle_drawing';

@@ -2,10 +2,16 @@ import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
 import type { ControlPoint, Side, Tangent, Vector } from '../../model/figure';
 import { methodOptions } from '../../model/methods';
-import { asJoint, byVectors, type Joint, withHandleAt, withTangents } from '../../model/pen';
+import {
+  asJoint,
+  byVectors,
+  type Joint,
+  segmentAt,
+  withHandleAt,
+  withTangents,
+} from '../../model/pen';
 import { bends, goesOn, type PenState } from '../../model/pen_hints';
 import type { DrawnTangents } from '../../model/pen_legs';
-import { segmentAt } from '../../model/pen_shape';
 import type { Viewer } from '../../viewer/viewer';
 import { Bend } from '../engine/bend';
 import { Newest } from '../engine/newest';
@@ -74,7 +80,7 @@ export class PenGestures {
     const { editor } = this;
     const { selection, chosen, figure } = editor.state;
     const count = figure.points.length;
-    const begins = count > 0 && !(editor.isOpen && goesOn(this.state(false)));
+    const begins = !editor.isOpen || (count > 0 && !goesOn(this.state(false)));
     const index = begins ? 0 : count;
     const place = (point: ControlPoint) => {
       if (begins) editor.previewBegun('pen', { type: 'insert', index, point });
