@@ -151,6 +151,25 @@ describe('the pen', () => {
     await tab.close();
   });
 
+  test('begins a visible object in place of a hidden empty one, as every other tool does', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    for (const key of ['b', 'p']) {
+      await page.keyboard.press(key);
+      await tab.click([-100, 40], [0, -40]);
+      await page.locator('#objects .eye').first().click();
+      await page.locator('#clear').click();
+      await tab.click([-60, 20], [40, 30]);
+      const { drawing, figure } = await tab.state();
+      assert.equal(figure.points.length, 2);
+      assert.deepEqual(
+        drawing.objects.map(({ visible }) => visible),
+        [true],
+      );
+    }
+    await tab.close();
+  });
+
   test('closes at the first anchor, ends with Escape, and a double click on the curve adds an anchor', async () => {
     const tab = await drawn();
     const { page } = tab;

@@ -64,10 +64,13 @@ function begun(figure: Figure, kind: Kind): Figure {
   };
 }
 
-/** Ends the edited object: the next drawing on the surface begins a new one. */
+/**
+ * Ends the edited object: the next drawing on the surface begins a new one. An empty object goes on
+ * unless it is hidden or locked.
+ */
 export function beginning(drawing: Drawing, kind?: Kind): Command | null {
-  const { figure } = activeObject(drawing);
-  if (isEmpty(figure)) return null;
+  const { figure, visible, locked } = activeObject(drawing);
+  if (isEmpty(figure) && visible && !locked) return null;
   return onTop(drawing, successorOf(drawing, begun(figure, kind ?? figure.kind)));
 }
 
