@@ -1,4 +1,5 @@
 import { badArgument, checkInteger, checkPositive } from './check.js';
+import { at, cross, dot, subtract, type Vector } from './vectors.js';
 
 /**
  * Tubes along polylines, as plain arrays. Each point has a ring of vertices in the plane
@@ -23,34 +24,20 @@ export interface Tube {
   triangles: Uint32Array;
 }
 
-type Vec3 = [number, number, number];
-
-const at = (flat: ArrayLike<number>, i: number): Vec3 => [
-  flat[3 * i]!,
-  flat[3 * i + 1]!,
-  flat[3 * i + 2]!,
-];
-const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const plus = (a: Vec3, s: number, b: Vec3, t: number): Vec3 => [
+const plus = (a: Vector, s: number, b: Vector, t: number): Vector => [
   s * a[0] + t * b[0],
   s * a[1] + t * b[1],
   s * a[2] + t * b[2],
 ];
 
 /** The vector scaled to length 1; null for the zero vector. */
-function unit(a: Vec3): Vec3 | null {
+function unit(a: Vector): Vector | null {
   const length = Math.hypot(...a);
   return length > 0 ? [a[0] / length, a[1] / length, a[2] / length] : null;
 }
 
 /** A unit vector at right angles to a unit vector, and to the axis of its smallest coordinate. */
-function anyAcross(a: Vec3): Vec3 {
+function anyAcross(a: Vector): Vector {
   const sizes = a.map(Math.abs);
   const axis = sizes.indexOf(Math.min(...sizes));
   return unit(cross(a, [Number(axis === 0), Number(axis === 1), Number(axis === 2)]))!;
@@ -128,7 +115,7 @@ export function ribbonAlong(line: TubeLine, width: number): Ribbon {
   let length = 0;
   for (let i = 0; i < count; i++) {
     const k = i % places.length;
-    if (i > 0) length += Math.hypot(...minus(places[k]!, places[i - 1]!)) / width;
+    if (i > 0) length += Math.hypot(...subtract(places[k]!, places[i - 1]!)) / width;
     for (const side of [0, 1]) {
       positions.set(plus(places[k]!, 1, across[k]!, (side - 0.5) * width), 6 * i + 3 * side);
       normals.set(cross(across[k]!, tangents[k]!), 6 * i + 3 * side);
@@ -167,7 +154,7 @@ function trianglesOf(rings: number, sides: number, closed: boolean, caps: boolea
 /** The numbers of the kept points. Each is farther than `apart` from the previous kept point. */
 function distinct({ places, closed }: TubeLine, apart: number): number[] {
   const kept: number[] = [];
-  const away = (i: number, j: number) => Math.hypot(...minus(at(places, i), at(places, j)));
+  const away = (i: number, j: number) => Math.hypot(...subtract(at(places, i), at(places, j)));
   for (let i = 0; 3 * i < places.length; i++) {
     if (kept.length === 0 || away(i, kept.at(-1)!) > apart) kept.push(i);
   }
@@ -176,20 +163,20 @@ function distinct({ places, closed }: TubeLine, apart: number): number[] {
 }
 
 /** The mean direction of the two segments at each place. */
-function tangentsOf(places: readonly Vec3[], closed: boolean): Vec3[] {
+function tangentsOf(places: readonly Vector[], closed: boolean): Vector[] {
   const count = places.length;
-  let last: Vec3 = [1, 0, 0];
+  let last: Vector = [1, 0, 0];
   return places.map((place, i) => {
     const before = places[i > 0 ? i - 1 : closed ? count - 1 : 0]!;
     const after = places[i + 1 < count ? i + 1 : closed ? 0 : i]!;
     // Where the polyline turns back, the segments have no mean direction.
-    last = unit(minus(after, before)) ?? unit(minus(after, place)) ?? last;
+    last = unit(subtract(after, before)) ?? unit(subtract(after, place)) ?? last;
     return last;
   });
 }
 
 /** Unit vectors perpendicular to the tangents and the normals. */
-function uprightFrames(tangents: readonly Vec3[], normals: readonly Vec3[]): Vec3[] {
+function uprightFrames(tangents: readonly Vector[], normals: readonly Vector[]): Vector[] {
   return tangents.map((tangent, i) => unit(cross(tangent, normals[i]!)) ?? anyAcross(tangent));
 }
 
@@ -198,7 +185,7 @@ function uprightFrames(tangents: readonly Vec3[], normals: readonly Vec3[]): Vec
  * rotation from the previous tangent to the present one. Once around a closed polyline, the result
  * may differ from the first vector. The angle between them is distributed over all points.
  */
-function carriedFrames(tangents: readonly Vec3[], closed: boolean): Vec3[] {
+function carriedFrames(tangents: readonly Vector[], closed: boolean): Vector[] {
   const [first] = tangents;
   if (!first) return [];
   const frames = [anyAcross(first)];
@@ -215,7 +202,7 @@ function carriedFrames(tangents: readonly Vec3[], closed: boolean): Vec3[] {
 }
 
 /** A vector perpendicular to one tangent, rotated with this tangent to another one. */
-function carried(vector: Vec3, from: Vec3, to: Vec3): Vec3 {
+function carried(vector: Vector, from: Vector, to: Vector): Vector {
   const share = 1 + dot(from, to);
   const moved =
     share > 0 ? plus(vector, 1, plus(from, 1, to, 1), -dot(vector, to) / share) : vector;

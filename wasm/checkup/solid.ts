@@ -1,3 +1,5 @@
+import { at, cross, dot, subtract } from '../vectors.js';
+
 /** The suitability of triangles for printing. */
 export interface Solid {
   /** The sum of the triangles' areas. */
@@ -27,7 +29,7 @@ export function solidOf({
   const count = positions.length / 3;
   const along = new Float64Array(triangles.length);
   const against = new Float64Array(triangles.length);
-  const start = [positions[0]!, positions[1]!, positions[2]!];
+  const start = at(positions, 0);
   let area = 0;
   let volume = 0;
   for (let i = 0; i < triangles.length; i += 3) {
@@ -38,13 +40,10 @@ export function solidOf({
       against[i + k] = head * count + tail;
     });
     // Places are relative to the first vertex, so that a place far from the origin costs no digits.
-    const [a, b, c] = corners.map((v) => start.map((from, k) => positions[3 * v + k]! - from));
-    const across = cross(
-      b!.map((value, k) => value - a![k]!),
-      c!.map((value, k) => value - a![k]!),
-    );
+    const [a, b, c] = corners.map((v) => subtract(at(positions, v), start));
+    const across = cross(subtract(b!, a!), subtract(c!, a!));
     area += Math.hypot(...across) / 2;
-    volume += across.reduce((sum, value, k) => sum + value * a![k]!, 0) / 6;
+    volume += dot(across, a!) / 6;
   }
   along.sort();
   against.sort();
@@ -52,9 +51,3 @@ export function solidOf({
   const closed = along.every((edge, i) => edge === against[i]);
   return { area, oriented, closed, volume: closed && oriented ? volume : null };
 }
-
-const cross = (u: readonly number[], v: readonly number[]) =>
-  [0, 1, 2].map((k) => {
-    const [l, m] = [(k + 1) % 3, (k + 2) % 3];
-    return u[l]! * v[m]! - u[m]! * v[l]!;
-  });

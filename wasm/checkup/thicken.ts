@@ -1,5 +1,6 @@
 import { checkNumber } from '../check.js';
 import { KarcherError } from '../errors.js';
+import { cross, dot, subtract, type Vector, at as vectorAt } from '../vectors.js';
 
 /** A closed shell: triangles, a moved copy of them, and walls. */
 export interface Thickened {
@@ -24,8 +25,6 @@ interface Triangles {
   positions: ArrayLike<number>;
   triangles: ArrayLike<number>;
 }
-
-type Vector = [number, number, number];
 
 /**
  * The closed shell between triangles and a copy of them. The copy is moved along the vertices'
@@ -184,8 +183,8 @@ function carried(
   for (let i = 0; i < part.triangles.length; i++) {
     const corners = cornersOf(whole.triangles, 3 * faces[Math.floor(i / 3)]!);
     const [a, b, c] = corners.map((vertex) => vectorAt(whole.positions, vertex));
-    const [u, v] = [minus(b!, a!), minus(c!, a!)];
-    const to = minus(vectorAt(part.positions, part.triangles[i]!), a!);
+    const [u, v] = [subtract(b!, a!), subtract(c!, a!)];
+    const to = subtract(vectorAt(part.positions, part.triangles[i]!), a!);
     const across = cross(u, v);
     const square = dot(across, across) || 1;
     const [second, third] = [
@@ -209,25 +208,11 @@ const cornersOf = (triangles: ArrayLike<number>, i: number): Vector => [
   triangles[i + 2]!,
 ];
 
-const vectorAt = (of: ArrayLike<number>, vertex: number): Vector => [
-  of[3 * vertex]!,
-  of[3 * vertex + 1]!,
-  of[3 * vertex + 2]!,
-];
-
 /** A vector along the normal of the triangle whose corners begin at `i`, of twice its area. */
 function acrossOf({ positions, triangles }: Triangles, i: number): Vector {
   const [a, b, c] = cornersOf(triangles, i).map((vertex) => vectorAt(positions, vertex));
-  return cross(minus(b!, a!), minus(c!, a!));
+  return cross(subtract(b!, a!), subtract(c!, a!));
 }
-
-const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 
 /**
  * Unit normals at vertices. Each triangle's normal is weighted by the triangle's angle at the
@@ -243,7 +228,7 @@ function vertexNormals(positions: ArrayLike<number>, triangles: ArrayLike<number
     if (length === 0) continue;
     for (let k = 0; k < 3; k++) {
       const here = places[k]!;
-      const [u, v] = [minus(places[(k + 1) % 3]!, here), minus(places[(k + 2) % 3]!, here)];
+      const [u, v] = [subtract(places[(k + 1) % 3]!, here), subtract(places[(k + 2) % 3]!, here)];
       const angle = Math.atan2(length, dot(u, v));
       for (let axis = 0; axis < 3; axis++) {
         normals[3 * corners[k]! + axis]! += (angle * across[axis]!) / length;
@@ -278,8 +263,8 @@ function unfolded(
   let least = Infinity;
   for (let i = 0; i < triangles.length; i += 3) {
     const [a, b, c] = cornersOf(triangles, i);
-    const [u, v] = [b, c].map((to) => minus(vectorAt(positions, to), vectorAt(positions, a)));
-    const [du, dv] = [b, c].map((to) => minus(vectorAt(normals, to), vectorAt(normals, a)));
+    const [u, v] = [b, c].map((to) => subtract(vectorAt(positions, to), vectorAt(positions, a)));
+    const [du, dv] = [b, c].map((to) => subtract(vectorAt(normals, to), vectorAt(normals, a)));
     const across = cross(u!, v!);
     // The triangle's area, seen along its normal, is a quadratic function of the distance.
     const [p, q] = [cross(du!, v!), cross(u!, dv!)];

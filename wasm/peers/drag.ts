@@ -1,8 +1,8 @@
 import type { Mesh } from '../mesh.js';
 import type { CurveSamples, LongWorkOptions } from '../types.js';
+import { at, length, subtract, type Vector } from '../vectors.js';
 import { isThere } from './status.js';
 import type { CurvePlan, MethodCurve } from './types.js';
-import { at, length, subtract, type Vector } from './vectors.js';
 
 /** In a step, the curve leaps if a sample moves more than this many times as far as the hand. */
 const leapRatio = 5;

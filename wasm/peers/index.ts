@@ -4,6 +4,8 @@ import createPeers from './karcher-peers.mjs';
 import { Peers } from './peers.js';
 
 export * from '../index.js';
+/** Vectors in space, for programs that measure and draw curves. */
+export * as vectors from '../vectors.js';
 export * from './compare.js';
 export * from './drag.js';
 export * from './measure.js';
@@ -11,8 +13,6 @@ export type { Peers } from './peers.js';
 export * from './ruler.js';
 export { isThere } from './status.js';
 export type * from './types.js';
-/** Vectors in space, for programs that measure and draw curves. */
-export * as vectors from './vectors.js';
 export { warm } from './warm.js';
 
 /**

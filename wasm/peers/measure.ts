@@ -1,9 +1,9 @@
 import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
 import type { CurveSamples } from '../types.js';
+import { at, cross, dot, length, subtract, type Vector } from '../vectors.js';
 import { isThere } from './status.js';
 import type { WeightTable } from './types.js';
-import { at, cross, dot, length, subtract, type Vector } from './vectors.js';
 
 /** The differences of a curve from a reference with samples at the same parameters. */
 export interface CurveMeasures {

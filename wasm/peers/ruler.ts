@@ -2,10 +2,10 @@ import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
 import { pause } from '../prepare.js';
 import type { CurveSamples, LongWorkOptions, SurfacePoint } from '../types.js';
+import { add, at, cross, dot, length, scaled, subtract, type Vector } from '../vectors.js';
 import type { ReferenceSamples } from './measure.js';
 import { isThere } from './status.js';
 import type { CurvePlan } from './types.js';
-import { add, at, cross, dot, length, scaled, subtract, type Vector } from './vectors.js';
 
 /** The number of evenly spaced samples at which the ruler measures a curve's error. */
 const rulerSamples = 33;

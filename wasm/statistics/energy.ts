@@ -2,12 +2,11 @@ import { checkArray, checkNumber, toFloat64 } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
 import type { PointLike } from '../types.js';
+import { dot, subtract, type Vector, at as vectorAt } from '../vectors.js';
 import type { RemoteMesh } from '../worker/remote.js';
 
 /** A mesh in this thread or in a worker. */
 export type AnyMesh = Mesh | RemoteMesh;
-
-type Vector = [number, number, number];
 
 /** The energy of points at a place, and its first derivatives there. */
 export interface Energy {
@@ -95,7 +94,9 @@ export async function hessianAt(
       const [before, after] = await Promise.all(
         [-step, step].map((length) => energyAt(mesh, points, weights, face.moved(axis, length))),
       );
-      const change = after!.gradient.map((x, k) => (x - before!.gradient[k]!) / (2 * step));
+      const change = after!.gradient.map(
+        (x, k) => (x - before!.gradient[k]!) / (2 * step),
+      ) as Vector;
       return axes.map((other) => dot(change, other));
     }),
   );
@@ -206,12 +207,7 @@ async function pulled(
   };
 }
 
-const vectorAt = (vectors: Float64Array, i: number) =>
-  Array.from(vectors.subarray(3 * i, 3 * i + 3)) as Vector;
-const dot = (a: ArrayLike<number>, b: ArrayLike<number>) =>
-  a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
 const unit = (a: Vector): Vector => a.map((x) => x / Math.hypot(...a)) as Vector;
-const subtract = (a: Vector, b: Vector) => a.map((x, k) => x - b[k]!) as Vector;
 
 /**
  * The face of a point: two axes, a step for differences, and a function for points near the point.

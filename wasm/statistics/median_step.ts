@@ -1,7 +1,7 @@
 import type { PointLike } from '../types.js';
+import { add, at, dot, scaled, subtract, type Vector } from '../vectors.js';
 import type { AnyMesh } from './energy.js';
 
-type Vector = readonly [number, number, number];
 /** The weight of a point beside a vertex, and its direction there, as an angle on the surface. */
 interface Pull {
   weight: number;
@@ -41,11 +41,11 @@ export async function stepFrom(
       inverse += weight / length;
     }
   }
-  let pull: Vector = pulls.reduce(plus, [0, 0, 0]);
+  let pull: Vector = pulls.reduce(add, [0, 0, 0]);
   if (fan) {
     const [a, b] = [vectorAt(points.length), vectorAt(points.length + 1)];
     const x = scaled(a, 1 / norm(a));
-    const across = plus(b, scaled(x, -dot(b, x)));
+    const across = add(b, scaled(x, -dot(b, x)));
     const y = scaled(across, 1 / norm(across));
     const seen = pulls.map((one) => ({
       weight: norm(one),
@@ -53,7 +53,7 @@ export async function stepFrom(
     }));
     const { weight, direction } = largestPull(seen, fan);
     const turned = (direction - fan.before) * scaleOf(fan);
-    pull = plus(scaled(x, weight * Math.cos(turned)), scaled(y, weight * Math.sin(turned)));
+    pull = add(scaled(x, weight * Math.cos(turned)), scaled(y, weight * Math.sin(turned)));
   }
   const most = norm(pull);
   return most <= held ? undefined : scaled(pull, (1 - held / most) / inverse);
@@ -84,11 +84,11 @@ async function fanAt(mesh: AnyMesh, from: PointLike): Promise<Fan | undefined> {
     let next: number | undefined = face;
     for (let i = 0; i < mesh.info.triangles && next !== undefined; i++) {
       const corners = await cornersOf(mesh, next);
-      const far = corners.map((other) => norm(minus(other, place)));
+      const far = corners.map((other) => norm(subtract(other, place)));
       const at = far.indexOf(Math.min(...far));
       const [to, other] = [corners[(at + side) % 3]!, corners[(at + 3 - side) % 3]!];
-      if (i > 0 || side === 2) fan.total += angle(minus(to, place), minus(other, place));
-      if (i > 0 && side === 1) fan.before += angle(minus(to, place), minus(other, place));
+      if (i > 0 || side === 2) fan.total += angle(subtract(to, place), subtract(other, place));
+      if (i > 0 && side === 1) fan.before += angle(subtract(to, place), subtract(other, place));
       next = await faceAcross(mesh, next, corners, near(0.5, at, (at + side) % 3));
       if (next === face) return fan;
     }
@@ -107,7 +107,7 @@ function near(part: number, a: number, b: number): [number, number, number] {
 
 async function cornersOf(mesh: AnyMesh, face: number): Promise<Vector[]> {
   const places = await mesh.positionsOf([0, 1, 2].map((k) => ({ face, bary: near(0, k, k) })));
-  return [0, 1, 2].map((k) => [places[3 * k]!, places[3 * k + 1]!, places[3 * k + 2]!]);
+  return [0, 1, 2].map((k) => at(places, k));
 }
 
 /** The face beyond a place on a side of a face; undefined at the boundary. */
@@ -120,7 +120,7 @@ async function faceAcross(
   const third: [number, number, number] = [1 / 3, 1 / 3, 1 / 3];
   const way = corners
     .map((corner, k) => scaled(corner, bary[k]! - third[k]!))
-    .reduce(plus, [0, 0, 0]);
+    .reduce(add, [0, 0, 0]);
   const { path } = await mesh.straightest({ face, bary: third }, [...way], 1.1 * norm(way));
   return path.points().find((point) => point.face !== face)?.face;
 }
@@ -185,12 +185,8 @@ function largestPull(pulls: readonly Pull[], { total, isOpen }: Fan): Pull {
   return most;
 }
 
-const plus = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-const minus = (a: Vector, b: Vector) => plus(a, scaled(b, -1));
-const scaled = (a: Vector, factor: number): Vector => [a[0] * factor, a[1] * factor, a[2] * factor];
-const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const norm = (a: Vector) => Math.hypot(...a);
 function angle(a: Vector, b: Vector): number {
   const [u, v] = [scaled(a, 1 / norm(a)), scaled(b, 1 / norm(b))];
-  return 2 * Math.atan2(norm(minus(u, v)), norm(plus(u, v)));
+  return 2 * Math.atan2(norm(subtract(u, v)), norm(add(u, v)));
 }

@@ -1,4 +1,4 @@
-/** Vectors in space, for measuring curves. */
+/** A vector in space, or a place. */
 export type Vector = [number, number, number];
 
 /** The sum of two vectors. */
