@@ -57,8 +57,9 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
 /// segment to both ends of the segment, the legs, pulled tight, must be as long as the field's
 /// distance. If the distance is smaller, a shorter path goes another way, for instance around a
 /// tube, and centers of mass would jump to it. If the distance is larger, the field is wrong, since
-/// the tightened legs are a path. The function releases the field's memory, since the curve may
-/// need no other field.
+/// the tightened legs are a path. Distances of less than an edge have the error of the blend beside
+/// the field's point, which is relative to the edges. The function releases the field's memory,
+/// since the curve may need no other field.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   bool areShortest = true;
@@ -76,7 +77,8 @@ bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
       const SurfacePoint& start = polygon.points[segment.points[from]].point;
       const SurfacePoint& end = polygon.points[segment.points[to]].point;
       field.setPointFor(start, end, (1 + kSameLength) * tight);
-      return std::abs(distanceTo(end, field) - tight) <= kSameLength * tight;
+      return std::abs(distanceTo(end, field) - tight) <=
+             kSameLength * std::max(tight, geometry.meanEdge);
     };
     areShortest = std::all_of(polygon.pieces.begin(), polygon.pieces.end(),
                               [&](const SegmentLayout& segment) {

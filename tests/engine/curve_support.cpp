@@ -8,6 +8,12 @@ Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& plac
   return points;
 }
 
+CurveOptions levelsOptions(const CurveShape& shape, int samples, int levels, FieldOptions field) {
+  CurveOptions options{shape, samples, field};
+  options.levels = levels;
+  return options;
+}
+
 double weightedSum(const Array<double>& weights, const Array<double>& values) {
   double sum = 0;
   for (int i = 0; i < weights.count(); ++i) sum += weights[i] * values[i];

@@ -10,6 +10,9 @@ inline constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
 inline constexpr FieldOptions kExact{Method::kKarcher, Solver::kExact, 6};
 inline constexpr FieldOptions kPaperExact{Method::kPaper, Solver::kExact, 6};
 
+/// The options of a curve with this number of levels.
+CurveOptions levelsOptions(const CurveShape& shape, int samples, int levels, FieldOptions field);
+
 /// The surface points nearest to places in space.
 Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& places);
 

@@ -27,10 +27,10 @@ double meanAlong(const Geometry& geometry, const SurfacePath& leg) {
   return leg.length() > 0 ? sum / leg.length() : 0;
 }
 
-/// The angle by which a leg turns from the straight continuation of the previous leg.
+/// The angle by which a leg turns from the straight continuation of the previous leg. Both need a
+/// length.
 double turningBetween(const Geometry& geometry, const SurfacePath& before,
                       const SurfacePath& after) {
-  if (before.length() == 0 || after.length() == 0) return 0;
   const Vec2 on = -logBack(geometry, before);
   const Vec2 next = logAlong(geometry, after);
   return angleFromTo(on, next);
@@ -43,8 +43,11 @@ void unroll(const Geometry& geometry, const Array<SurfacePath>& legs, const Segm
   const SurfacePath* before = nullptr;
   for (int k = 1; k < segment.points.count(); ++k) {
     const SurfacePath& leg = legs[segment.points[k - 1]];
-    if (before) heading += turningBetween(geometry, *before, leg);
-    before = &leg;
+    // A leg without length, at a repeated point, has no direction.
+    if (leg.length() > 0) {
+      if (before) heading += turningBetween(geometry, *before, leg);
+      before = &leg;
+    }
     const Vec2 way(std::cos(heading), std::sin(heading));
     unrolled.push_back(Vec2(unrolled.back() + leg.length() * way));
   }
