@@ -68,19 +68,19 @@ bool SourceVectors::ask(DistanceSolver& solver, int vertex) {
     const Vec2 tail = cornerInFace(geometry_, faceOf(h), cornerOf(h));
     const Vec2 edge = halfedgeInFace(geometry_, h);
     const Vec2 apex = cornerInFace(geometry_, faceOf(h), cornerOf(previous(h)));
-    const Vec2 source = apex + distance * (tail + step.part * edge - apex).normalized();
-    // Turns of the directions from the source, from the ends to the vertex.
-    const auto turnFrom = [&](const Vec2& end) {
-      return unitVector(angleScale_ * angleOf(rotateBack(end - source, apex - source)));
-    };
-    asked.fromTail = turnFrom(tail);
-    asked.fromHead = turnFrom(tail + edge);
+    const Vec2 fromSource = (apex - tail - step.part * edge).normalized();
+    const Vec2 source = apex - distance * fromSource;
+    asked.fromTail = rotateBack(tail - source, fromSource);
+    asked.fromHead = rotateBack(tail + edge - source, fromSource);
     const auto seesSource = [&](int side) {
-      const double length = solver.growTo(geometry_.mesh->tail(side));
-      const Vec2 toSource = solver.logVector(geometry_.mesh->tail(side)) / -2;
-      const Vec2 seen = cornerInFace(geometry_, faceOf(side), cornerOf(side)) +
-                        rotate(geometry_.vertexToFace[side], toSource);
-      return (seen - source).norm() <= kChainRounding * (distance + length);
+      const int end = geometry_.mesh->tail(side);
+      const double length = solver.growTo(end);
+      const double rounding = kChainRounding * (distance + length);
+      const Vec2 toSource = source - cornerInFace(geometry_, faceOf(side), cornerOf(side));
+      // Most ends on curved surfaces have another length, for which no direction is needed.
+      if (!(std::abs(toSource.norm() - length) <= rounding)) return false;
+      const Vec2 seen = rotate(geometry_.vertexToFace[side], solver.logVector(end) / -2);
+      return (seen - toSource).norm() <= rounding;
     };
     const bool byTail = seesSource(h);
     const bool byHead = seesSource(next(h));
@@ -97,15 +97,18 @@ bool SourceVectors::ask(DistanceSolver& solver, int vertex) {
 
 void SourceVectors::take(const Asked& asked, double distance) {
   const auto isKnown = [&](int v) { return v >= 0 && states_[v] == State::kKnown; };
+  const auto turned = [&](const Vec2& turn, int v) {
+    return rotate(angleScale_ == 1 ? turn : unitVector(angleScale_ * angleOf(turn)), vectors_[v]);
+  };
   Vec2 vector = Vec2::Zero();
   if (isKnown(asked.tail) && isKnown(asked.head)) {
     vector = (1 - asked.part) * vectors_[asked.tail] + asked.part * vectors_[asked.head];
   } else if (isKnown(asked.head)) {
-    vector = rotate(asked.fromHead, vectors_[asked.head]);
+    vector = turned(asked.fromHead, asked.head);
   }
   // The interpolated vector may vanish if the ends lie on opposite sides of the source.
   if (!(vector.norm() > 0) && isKnown(asked.tail)) {
-    vector = rotate(asked.fromTail, vectors_[asked.tail]);
+    vector = turned(asked.fromTail, asked.tail);
   }
   const double length = vector.norm();
   vectors_[asked.vertex] = length > 0 ? Vec2(distance / length * vector) : Vec2::Zero();
