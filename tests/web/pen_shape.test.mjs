@@ -191,6 +191,18 @@ describe('the shape of curves of the pen', () => {
     assert.deepEqual(page.editor.state.figure.points, corners.toSpliced(1, 1));
   });
 
+  test('loses an anchor also after a stop cancelled the look at the anchor’s face', async () => {
+    const points = await anchors();
+    await drawPen(page, points);
+    const { client } = page.session;
+    await client.corners(points[0].face);
+    const asked = client.corners(points[1].face);
+    client.stop();
+    await assert.rejects(asked, /it was stopped/);
+    await page.edits.removeAnchor(1);
+    assert.equal(page.editor.state.figure.points.length, 3);
+  });
+
   test('on a sphere a bend comes as near to the pointer as required, and is C1', async (t) => {
     const sphere = await openPage(5000);
     const { triangles, diagonal } = sphere.session.client.info;

@@ -142,10 +142,7 @@ export class EngineClient {
   #loaded: Loaded | null = null;
   /** The face of the last request for corners. */
   #asked: { face: number; corners: Promise<Corners> } | null = null;
-  /**
-   * The curves by the ids of their objects; null if the first requested value was not a valid
-   * curve.
-   */
+  /** The curves by their objects' ids; null if the first requested value was no valid curve. */
   readonly #curves = new Map<number, Promise<RemoteCurve | null>>();
   /** A listener for a worker that ends by itself, for example because memory runs out. */
   onStopped: (() => void) | null = null;
@@ -185,6 +182,7 @@ export class EngineClient {
    */
   stop(): void {
     this.keepCurves([]);
+    this.#asked = null;
     this.#worker.giveUp(new Stopped());
   }
 
