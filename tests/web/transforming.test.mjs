@@ -311,6 +311,72 @@ describe('the frame around the selection', () => {
     await tab.close();
   });
 
+  /** Makes each answer of the engine late, so that an edit comes before the answer to another. */
+  const slow = (tab) =>
+    tab.engines()[0].evaluate(() => {
+      const post = globalThis.postMessage;
+      globalThis.postMessage = (...reply) => setTimeout(() => post.apply(globalThis, reply), 60);
+    });
+  test('takes numbers that follow each other before the engine answers', async () => {
+    const tab = await open();
+    const { page } = tab;
+    const before = await places(tab);
+    const whole = await bytesOf(tab);
+    /** Waits until this number of steps have been recorded since a revision, and shown. */
+    const recorded = async (from, count) => {
+      await page.waitForFunction(
+        ([last, steps]) => {
+          const state = window.karcherPage.state();
+          return state.revision >= last + steps && !state.dragging;
+        },
+        [from, count],
+      );
+      await tab.pastSaving();
+      await tab.settled();
+    };
+    await slow(tab);
+    for (const [id, text] of [
+      ['#move-x', '0.5'],
+      ['#turn', '90'],
+    ]) {
+      await page.locator(id).fill(text);
+      await page.locator(id).press('Enter');
+    }
+    await recorded(0, 2);
+    const after = await places(tab);
+    const angle = angleOf(minus(after[1], after[0])) - angleOf(minus(before[1], before[0]));
+    assert.ok(Math.abs(Math.cos(angle)) < 1e-9, 'it is turned');
+    await page.keyboard.press('Control+z');
+    for (const [i, place] of (await places(tab)).entries()) {
+      assert.ok(Math.abs(far(place, before[i]) - 0.5) < 1e-9, 'it was moved before');
+    }
+    await page.keyboard.press('Control+z');
+    assert.equal(await bytesOf(tab), whole);
+    await tab.close();
+  });
+
+  test('takes keys again after the user has stopped one', async () => {
+    const tab = await open();
+    const { page } = tab;
+    const whole = await bytesOf(tab);
+    await page.getByRole('button', { name: 'Pivot of turning' }).focus();
+    await tab.holdEngine();
+    await page.keyboard.press('ArrowRight');
+    await page.getByRole('button', { name: 'Stop', exact: true }).click();
+    await page.getByRole('button', { name: 'Stop', exact: true }).waitFor({ state: 'hidden' });
+    await tab.settled();
+    assert.equal(await bytesOf(tab), whole);
+    await page.getByRole('button', { name: 'Move the selection' }).focus();
+    await page.keyboard.down('ArrowRight');
+    await dragging(tab, true);
+    await page.keyboard.up('ArrowRight');
+    await dragging(tab, false);
+    assert.notEqual(await bytesOf(tab), whole);
+    await page.keyboard.press('Control+z');
+    assert.equal(await bytesOf(tab), whole);
+    await tab.close();
+  });
+
   test('has the size of the lines, to read and to type', async () => {
     const tab = await open();
     const { page } = tab;

@@ -208,7 +208,7 @@ export class Gestures {
 
   /** Places the selection by numbers. */
   place(numbers: Numbers): void {
-    void this.#transforms.place(numbers);
+    this.#transforms.place(numbers);
   }
 
   /**

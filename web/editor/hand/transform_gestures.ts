@@ -1,6 +1,6 @@
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
-import type { Drawing, DrawnObject } from '../../model/drawing';
+import { type Drawing, type DrawnObject, objectOf } from '../../model/drawing';
 import type { Vector } from '../../model/figure';
 import { Handles } from '../../viewer/handles';
 import type { Viewer } from '../../viewer/viewer';
@@ -100,7 +100,8 @@ export class TransformGestures {
     move: Move;
     numbers: Steps;
   } | null = null;
-  #keys: Promise<void> = Promise.resolve();
+  /** The end of the last step by keys or numbers. Each begins after the one before. */
+  #lastStep: Promise<void> = Promise.resolve();
   #shift = false;
 
   /** Settles when the frame is made. */
@@ -172,8 +173,17 @@ export class TransformGestures {
     this.#making = this.#makeFrame();
   }
 
-  /** Places the selection by numbers, as one step. Resolves when it is done. */
-  async place({ x = 0, y = 0, angle = 0, ...numbers }: Numbers): Promise<void> {
+  /** Places the selection by numbers, as one step. */
+  place(numbers: Numbers): void {
+    this.#inOrder(() => this.#placeBy(numbers));
+  }
+
+  /** Takes a step after those before. If it fails, it has no effect. */
+  #inOrder(step: () => Promise<void>): void {
+    this.#lastStep = this.#lastStep.then(step).catch(() => {});
+  }
+
+  async #placeBy({ x = 0, y = 0, angle = 0, ...numbers }: Numbers): Promise<void> {
     // Numbers may come before the lines are measured.
     await this.#making;
     const frame = this.#frame;
@@ -185,9 +195,16 @@ export class TransformGestures {
           ? scaleTo(height, frame.size.height)
           : (numbers.scale ?? 1);
     if (scale === null) return;
+    const objects = this.#objects;
+    // Another edit of the objects, or their drag, makes the numbers void.
+    const isWanted = () => {
+      const { state, baseDrawing } = this.editor;
+      const isSame = ({ id, figure }: DrawnObject) => objectOf(baseDrawing, id)?.figure === figure;
+      return !state.dragging && !this.#held && objects.every(isSame);
+    };
     const move = frame && (await this.#moveAt(frame.pivot, frame));
-    if (!frame || !move || !(await this.#place(frame, move, { x, y, angle, scale }))) return;
-    this.#commit();
+    if (!frame || !move) return;
+    if (await this.#place(frame, move, { x, y, angle, scale }, isWanted)) this.#commit();
   }
 
   get #objects(): DrawnObject[] {
@@ -376,7 +393,7 @@ export class TransformGestures {
     frame: TransformFrame,
     move: Move,
     { x, y, angle, scale }: Steps,
-    isWanted: () => boolean = () => true,
+    isWanted: () => boolean,
   ): Promise<boolean> {
     const { client } = this.session;
     const point = await this.#pointAt(frame, x, y);
@@ -413,7 +430,7 @@ export class TransformGestures {
     event.preventDefault();
     event.stopPropagation();
     const { shiftKey } = event;
-    this.#keys = this.#keys.then(() => this.#keyStep(id, arrow, shiftKey));
+    this.#inOrder(() => this.#keyStep(id, arrow, shiftKey));
   }
 
   async #keyStep(id: FrameHandle, [dx, dy]: [number, number], shift: boolean): Promise<void> {
@@ -445,7 +462,7 @@ export class TransformGestures {
   }
 
   #endKeys(): void {
-    this.#keys = this.#keys.then(() => {
+    this.#inOrder(async () => {
       if (!this.#keyed) return;
       this.#keyed = null;
       this.#commit();
