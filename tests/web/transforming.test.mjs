@@ -317,11 +317,12 @@ describe('the frame around the selection', () => {
       const post = globalThis.postMessage;
       globalThis.postMessage = (...reply) => setTimeout(() => post.apply(globalThis, reply), 60);
     });
-  test('takes numbers that follow each other before the engine answers', async () => {
+  test('takes numbers and drags that follow each other before the engine answers', async () => {
     const tab = await open();
     const { page } = tab;
     const before = await places(tab);
     const whole = await bytesOf(tab);
+    const revision = async () => (await tab.state()).revision;
     /** Waits until this number of steps have been recorded since a revision, and shown. */
     const recorded = async (from, count) => {
       await page.waitForFunction(
@@ -350,6 +351,27 @@ describe('the frame around the selection', () => {
     for (const [i, place] of (await places(tab)).entries()) {
       assert.ok(Math.abs(far(place, before[i]) - 0.5) < 1e-9, 'it was moved before');
     }
+    await page.keyboard.press('Control+z');
+    assert.equal(await bytesOf(tab), whole);
+
+    await tab.settled();
+    await tab.still();
+    const start = await revision();
+    const { x, y } = await tab.handle('Move the selection');
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 20, y + 10);
+    await dragging(tab, true);
+    const at = await tab.handle('Move the selection');
+    await page.mouse.move(x + 40, y + 20);
+    await page.mouse.up();
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.down();
+    await page.mouse.move(at.x, at.y - 30);
+    await page.mouse.up();
+    await recorded(start, 2);
+    await page.keyboard.press('Control+z');
+    assert.notEqual(await bytesOf(tab), whole, 'each drag is a step');
     await page.keyboard.press('Control+z');
     assert.equal(await bytesOf(tab), whole);
     await tab.close();

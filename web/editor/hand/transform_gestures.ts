@@ -289,6 +289,7 @@ export class TransformGestures {
     const { surface } = this.viewer;
     const position = this.#shown?.handles.find((handle) => handle.id === id)?.position;
     if (!frame || !client || !surface || !position) return;
+    this.#settle();
     const from = this.viewer.pick(x, y)?.point ?? surface.nearest(position);
     const at = id === 'move' ? from : frame.pivot;
     const move = this.#moveAt(at, frame).then((made) => {
@@ -369,6 +370,14 @@ export class TransformGestures {
     await this.#newest.done();
     if (this.#held !== held) return;
     this.#held = null;
+    this.#commit();
+  }
+
+  /** Ends a drag, or a move by keys, whose last step is still under way: it stays as it is shown. */
+  #settle(): void {
+    if (!this.#held && !this.#keyed) return;
+    [this.#held, this.#keyed] = [null, null];
+    this.#newest.drop();
     this.#commit();
   }
 
