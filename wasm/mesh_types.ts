@@ -45,6 +45,10 @@ export interface FileMarks {
   materialOf: Int32Array | null;
   /** Red, green and blue of each vertex, 0 to 255, as in the file; null if it has no colors. */
   colors: Uint8Array | null;
+  /**
+   * Sentences about content of the file that a mesh does not have: lines, skins, other elements.
+   */
+  notRead: string[];
 }
 
 /**

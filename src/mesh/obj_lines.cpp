@@ -98,6 +98,9 @@ class LineCheck {
       checkVertex(line);
     } else if (keyword == "f") {
       checkFace(line);
+    } else if (keyword == "p" || keyword == "l" || keyword == "curv" || keyword == "curv2" ||
+               keyword == "surf") {
+      ++found_.otherElements;
     }
   }
 

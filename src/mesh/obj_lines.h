@@ -34,6 +34,7 @@ struct ObjLines {
   Array<int> polygonLines;     ///< the lines of faces with more than three corners, from 1
   Array<int> shortLines;       ///< the lines of faces with fewer than three corners
   Array<NotFinite> notFinite;  ///< the vertices in the file's order
+  int otherElements = 0;       ///< the number of points, lines, curves and surfaces
 };
 
 /// Checks that every vertex line has three numbers (decimal or not finite) and that every face line

@@ -149,6 +149,7 @@ class Reading {
     marks.parts = std::move(parts_);
     marks.materials = std::move(materials_);
     marks.colors = colorBytes();
+    marks.otherElements = lines_.otherElements;
     return marks;
   }
 

@@ -7,7 +7,7 @@
 #include "mesh/triangle_soup.h"
 
 /// A reader of Wavefront OBJ files: vertex positions, faces, parts, materials and colors. It
-/// ignores normals, texture coordinates, lines and points.
+/// ignores normals and texture coordinates, and counts lines and other elements.
 namespace karcher {
 
 /// An object or group, which begins at a line `o` or `g`. A repeated name continues its part.
@@ -26,6 +26,7 @@ struct ObjMarks {
   /// if no vertex has a color. In the file, values range up to 1, or up to 255 if any value is
   /// greater than 1.
   Array<uint8_t> colors;
+  int otherElements = 0;  ///< the number of points, lines, curves and surfaces
 };
 
 struct ObjContents {

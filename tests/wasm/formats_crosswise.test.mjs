@@ -91,6 +91,23 @@ test('rows over several lines are read, and extra values in a row of one line ar
   });
 });
 
+test('OBJ: points, lines, curves and surfaces are counted, also behind continued lines', async () => {
+  const rows = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
+  for (const [text, notRead] of [
+    [rows, []],
+    [`${rows}l 1 2 \\\n3\n`, ['1 element that is no face was left out.']],
+    [
+      `p 1 2\n${rows}l 1 2\n#l 1 2\n  curv 0 1 1 2\nlod 1\n`,
+      ['3 elements that are no faces were left out.'],
+    ],
+  ]) {
+    const { mesh, file } = await open(encode(text), { name: 'a.obj' });
+    assert.deepEqual(file.notRead, notRead, text);
+    assert.deepEqual(mesh.fileMarks().notRead, notRead, text);
+  }
+  assert.deepEqual(karcher.shape('torus', 500).fileMarks().notRead, []);
+});
+
 test('OFF: joined counts, colors that the keyword does not announce, and numbers on any lines', async () => {
   const rows = '0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n';
   const colored = '0 0 0 255 0 0 255\n1 0 0 0 0 0 9\n0 1 0 1 1 1 1\n3 0 1 2 0.5 0.5 0.5\n';

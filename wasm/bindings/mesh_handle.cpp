@@ -97,6 +97,14 @@ val MeshHandle::marks() const {
   result.set("materials", materials);
   result.set("materialOf", arrayOrNull(marks_.material));
   result.set("colors", arrayOrNull(marks_.colors));
+  val notRead = val::array();
+  const int others = marks_.otherElements;
+  if (others > 0) {
+    notRead.set(
+        0, std::to_string(others) + (others == 1 ? " element that is no face was left out."
+                                                 : " elements that are no faces were left out."));
+  }
+  result.set("notRead", notRead);
   return result;
 }
 

@@ -26,8 +26,8 @@ class MeshHandle {
 
   /// Keeps the marks of the mesh's OBJ file.
   void setMarks(ObjMarks marks) { marks_ = std::move(marks); }
-  /// {parts, partOf, materials, materialOf, colors}, as in types.ts. Only a mesh from an OBJ file
-  /// has parts.
+  /// {parts, partOf, materials, materialOf, colors, notRead}, as in types.ts. Only a mesh from an
+  /// OBJ file has parts.
   val marks() const;
 
   /// Sets the curvature bound of the smooth surface that the mesh approximates.

@@ -92,7 +92,7 @@ export async function meshFromFile<Mesh extends MarkedMesh>(
       ...meshOptions,
       ...(wantedParts && { parts: wantedParts }),
     });
-    return { mesh, file: { format, notRead: [], ...(await mesh.fileMarks()) } };
+    return { mesh, file: { format, ...(await mesh.fileMarks()) } };
   }
   const polygons = await read(format, bytes, wanted, beside ?? {}, work);
   const { positions, corners, sizes, info } = polygons;

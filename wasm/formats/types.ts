@@ -22,10 +22,6 @@ export interface FileOptions extends LongWorkOptions, MeshOptions {
 export interface FileInfo extends FileMarks {
   /** The format of the file. */
   format: MeshFormat;
-  /**
-   * Sentences about content of the file that a mesh does not have: lines, skins, other elements.
-   */
-  notRead: string[];
 }
 
 /** The result of a reader: positions of vertices, and the corners of polygons. */
