@@ -60,6 +60,21 @@ test('welded vertices repeat their distance; dropped and unreachable ones have n
   }
 });
 
+test('a vertex where parts touch has the distance and log vector of the nearest fan of faces', () => {
+  const places = [0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0];
+  const mesh = karcher.meshFromArrays(places, [0, 1, 2, 0, 3, 4]);
+  for (const [face, sign] of [1, -1].entries()) {
+    const from = { face, bary: [0.25, 0.5, 0.25] };
+    for (const solver of ['exact', 'fast', 'graph']) {
+      const [there, ...others] = mesh.distance(from, { solver });
+      assert.ok(Math.abs(there - Math.hypot(0.5, 0.25)) < 1e-15);
+      assert.deepEqual(others.map(Number.isNaN), [face > 0, face > 0, face < 1, face < 1]);
+    }
+    const [x, y, z] = mesh.logMap(from).vectors;
+    assert.ok(Math.hypot(x + sign * 0.5, y + sign * 0.25, z) < 1e-15);
+  }
+});
+
 test('the shortest path on a plane is a straight line', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const from = { face: 0, bary: [0.5, 0.25, 0.25] };

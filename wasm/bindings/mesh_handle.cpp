@@ -230,13 +230,27 @@ val MeshHandle::distance(const val& from, const val& field, double radius) {
       distancesFromPoints(pointsFromJs(numbering_, mesh(), from), field, radius);
   Array<double> result;
   result.reserve(numbering_.engineVertex.size());
-  for (const int v : numbering_.engineVertex) {
+  for (const int v : nearestVertices(distances)) {
     const double distance = v < 0 ? kInfinity : distances[v];
     // Distances beyond the radius may not be final.
     const bool isKnown = distance < kInfinity && distance <= radius;
     result.push_back(isKnown ? distance : std::nan(""));
   }
   return toJs(result);
+}
+
+Array<int> MeshHandle::nearestVertices(const Array<double>& distances) const {
+  // A vertex where fans of faces meet is several vertices of the engine.
+  Array<int> nearest = numbering_.engineVertex;
+  for (int v = 0; v < distances.count(); ++v) {
+    int& least = nearest[numbering_.inputVertex[v]];
+    if (distances[v] < distances[least]) least = v;
+  }
+  for (int v = 0; v < nearest.count(); ++v) {
+    const int own = numbering_.engineVertex[v];
+    if (own >= 0) nearest[v] = nearest[numbering_.inputVertex[own]];
+  }
+  return nearest;
 }
 
 void MeshHandle::prepareFields(const val& field) {

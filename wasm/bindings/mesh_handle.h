@@ -126,6 +126,9 @@ class MeshHandle {
   /// beyond the radius may not be final.
   Array<double> distancesFromPoints(const Array<SurfacePoint>& sources, const val& field,
                                     double radius);
+  /// For each vertex of the caller, the engine's vertex there with the least of these distances; -1
+  /// for a dropped vertex.
+  Array<int> nearestVertices(const Array<double>& distances) const;
   MeanOptions meanOptions(const val& start, bool normalize) const;
   val meanToJs(const Mean& mean) const;
   Array<double> engineDistances(const Array<double>& distances, size_t field) const;

@@ -86,8 +86,10 @@ val MeshHandle::logMapOfVertices(const val& from, double radius) {
   const Vec3 across = tangentToSpace(geometry, start, Vec2::UnitY());
   Array<double> vectors;
   vectors.reserve(3 * numbering_.engineVertex.size());
-  for (const int v : numbering_.engineVertex) {
-    const double distance = v < 0 ? kInfinity : solver->distance(v);
+  Array<double> distances;
+  for (int v = 0; v < mesh().vertexCount(); ++v) distances.push_back(solver->distance(v));
+  for (const int v : nearestVertices(distances)) {
+    const double distance = v < 0 ? kInfinity : distances[v];
     const bool isReached = distance < kInfinity && distance <= radius;
     Vec3 vector = Vec3::Constant(std::nan(""));
     if (isReached) {
