@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, describe, test } from 'node:test';
 import { load } from 'karcher';
-import { centroid, isolines, voronoi } from 'karcher/statistics';
+import { centroid, isolines, median, voronoi } from 'karcher/statistics';
 import { loadInWorker } from 'karcher/worker';
 
 const engine = await load();
@@ -118,6 +118,56 @@ for (const [where, karcher] of Object.entries({ 'in the page': engine, 'in a wor
         }
       }
     });
+
+    // Faces around the origin, where the median of two near and close points and a far one is not.
+    const around = Array.from({ length: 6 }, (_, i) => {
+      const turn = (i * Math.PI) / 3;
+      return [200 * Math.cos(turn), i % 3 === 0 ? 0 : 200 * Math.sin(turn), 0];
+    });
+    const sectors = [0, 1, 2, 3, 4, 5].map((i) => [0, 1 + i, 1 + ((i + 1) % 6)]);
+    const turned = sectors.with(3, sectors[3].toReversed());
+    const touching = [
+      [0, 0, 0],
+      [0, 0, 400],
+      [-400, 0, -400],
+    ];
+    const below = [0, -300, 0];
+    const fans = {
+      'of which one is turned over': [around, turned, { face: 5, bary: [1, 0, 0] }],
+      'that another part touches': [
+        [...around, ...touching],
+        [...sectors, [7, 8, 9]],
+        { vertex: 0 },
+      ],
+      // The last face has no area; the one before it is cut at the origin.
+      'that a repair has cut there': [
+        [...around.slice(0, 4), below],
+        [...sectors.slice(0, 3), [5, 1, 4], [4, 1, 0]],
+        { vertex: 0 },
+      ],
+    };
+    for (const [name, [places, triangles, origin]] of Object.entries(fans)) {
+      test(`the median leaves a vertex of faces ${name}`, async () => {
+        const mesh = await karcher.meshFromArrays([0, 0, 0, ...places.flat()], triangles.flat());
+        assert.equal(mesh.info.repairs.length, 1);
+        for (const way of [1, -1]) {
+          const points = [origin];
+          for (const place of [
+            [way, 0.01, 0],
+            [way, -0.01, 0],
+            [-100 * way, 0.01, 0],
+          ]) {
+            points.push((await mesh.nearestPoint(place)).point);
+          }
+          const { value } = await median(mesh, points, [1.5, 1, 1, 0.3], { start: origin });
+          // At the origin, the value is 32.
+          assert.ok(value < 31.85, `${value}`);
+        }
+        const alone = await median(mesh, [origin]);
+        const { vectors } = await mesh.logMap(alone.point, [origin]);
+        near([...vectors], [0, 0, 0]);
+      });
+    }
 
     test('a face that is cut has the welded vertices of its neighbors', async () => {
       // The third face lies on the diagonal, whose middle is a vertex. The last one touches the

@@ -5,6 +5,7 @@ import type { RegionValue } from '../path_values.js';
 import { Region } from '../region.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import type { AnyMesh } from './energy.js';
+import { inFace } from './median_step.js';
 import { facesOf } from './surface.js';
 
 /** The options of the search for a centroid. */
@@ -132,11 +133,9 @@ export async function centroid(
     point = ends[0]!;
     step = next;
   }
-  const position = await mesh.position(point);
-  const at = 'face' in point ? point : (await mesh.nearestPoint(position)).point;
   return {
-    point: { face: at.face, bary: [...at.bary] },
-    position,
+    point: await inFace(mesh, point),
+    position: await mesh.position(point),
     samples: points.length,
     steps,
     converged: Math.hypot(...step) <= least,

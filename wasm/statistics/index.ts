@@ -6,7 +6,7 @@ import { checkArray, checkNumber, checkOptions, namesOf } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import { type AnyMesh, checkWeights } from './energy.js';
-import { stepFrom } from './median_step.js';
+import { inFace, stepFrom } from './median_step.js';
 
 export { KarcherError } from '../errors.js';
 export { type Centroid, type CentroidOptions, centroid } from './centroid.js';
@@ -188,9 +188,8 @@ async function search(
     await measure();
     converged = (await lengthTo(before, point)) <= least;
   }
-  const place = await mesh.nearestPoint(await mesh.position(point));
   return {
-    point: 'face' in point ? { face: point.face, bary: [...point.bary] } : place.point,
+    point: await inFace(mesh, point),
     position: await mesh.position(point),
     value: valueHere(),
     steps,

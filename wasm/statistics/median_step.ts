@@ -1,5 +1,5 @@
-import type { PointLike } from '../types.js';
-import { add, at, dot, scaled, subtract, type Vector } from '../vectors.js';
+import type { PointLike, SurfacePoint } from '../types.js';
+import { add, at, cross, dot, scaled, subtract, type Vector } from '../vectors.js';
 import type { AnyMesh } from './energy.js';
 
 /** The weight of a point beside a vertex, and its direction there, as an angle on the surface. */
@@ -17,17 +17,13 @@ export async function stepFrom(
   mesh: AnyMesh,
   points: readonly PointLike[],
   weights: readonly number[],
-  at: number,
+  nearest: number,
   least: number,
 ): Promise<Vector | undefined> {
-  const from = points[at]!;
+  const from = points[nearest]!;
   const fan = await fanAt(mesh, from);
   const { vectors } = await mesh.logMap(from, [...points, ...(fan?.beside ?? [])]);
-  const vectorAt = (i: number): Vector => [
-    vectors[3 * i]!,
-    vectors[3 * i + 1]!,
-    vectors[3 * i + 2]!,
-  ];
+  const vectorAt = (i: number) => at(vectors, i);
   const pulls: Vector[] = [];
   let held = 0;
   let inverse = 0;
@@ -52,7 +48,7 @@ export async function stepFrom(
       direction: directionIn(fan, Math.atan2(dot(one, y), dot(one, x))),
     }));
     const { weight, direction } = largestPull(seen, fan);
-    const turned = (direction - fan.before) * scaleOf(fan);
+    const turned = direction * scaleOf(fan);
     pull = add(scaled(x, weight * Math.cos(turned)), scaled(y, weight * Math.sin(turned)));
   }
   const most = norm(pull);
@@ -65,64 +61,72 @@ interface Fan {
   total: number;
   /** Whether the vertex lies on the boundary. */
   isOpen: boolean;
-  /** The angle from the first side of the fan at the boundary to the first place of `beside`. */
-  before: number;
-  /** Two places near the vertex, on two edges of a face. */
+  /** Two places near the vertex, on the two edges of the first face. */
   beside: PointLike[];
 }
 
-/** The fan of a point at a vertex, otherwise undefined. */
+/**
+ * The fan of a point at a vertex, otherwise undefined. Its faces are those after the mesh's repairs:
+ * the triangles of the file may have opposite orientations, and other parts may touch the vertex.
+ */
 async function fanAt(mesh: AnyMesh, from: PointLike): Promise<Fan | undefined> {
-  const isInFace = 'face' in from;
-  if (isInFace && from.bary.filter((weight) => weight === 0).length < 2) return undefined;
+  if ('face' in from && from.bary.every((weight) => weight !== 0)) return undefined;
   const place = await mesh.position(from);
-  const { face, bary } = isInFace ? from : (await mesh.nearestPoint(place)).point;
-  const corner = bary.indexOf(Math.max(...bary));
-  const fan: Fan = { total: 0, isOpen: false, before: 0, beside: [] };
-  fan.beside = [1, 2].map((turn) => ({ face, bary: near(1e-3, corner, (corner + turn) % 3) }));
-  for (const side of [2, 1]) {
-    let next: number | undefined = face;
-    for (let i = 0; i < mesh.info.triangles && next !== undefined; i++) {
-      const corners = await cornersOf(mesh, next);
-      const far = corners.map((other) => norm(subtract(other, place)));
-      const at = far.indexOf(Math.min(...far));
-      const [to, other] = [corners[(at + side) % 3]!, corners[(at + 3 - side) % 3]!];
-      if (i > 0 || side === 2) fan.total += angle(subtract(to, place), subtract(other, place));
-      if (i > 0 && side === 1) fan.before += angle(subtract(to, place), subtract(other, place));
-      next = await faceAcross(mesh, next, corners, near(0.5, at, (at + side) % 3));
-      if (next === face) return fan;
-    }
-    fan.isOpen = true;
+  const { face: own } = await inFace(mesh, from);
+  // Without paths, `cut` divides a mesh into its components, whose vertices are all apart.
+  for (const { positions, triangles, faces } of await mesh.cut([])) {
+    const vertex = triangles.find(
+      (corner, i) =>
+        faces[Math.floor(i / 3)] === own && at(positions, corner).every((x, k) => x === place[k]),
+    );
+    if (vertex === undefined) continue;
+    // From each edge at the vertex, a face leads to the next one.
+    const sides = new Map<number, { to: number; face: number }>();
+    triangles.forEach((corner, i) => {
+      if (corner !== vertex) return;
+      const first = i - (i % 3);
+      const [side, to] = [1, 2].map((turn) => triangles[first + ((i + turn) % 3)]!);
+      sides.set(side!, { to: to!, face: faces[first / 3]! });
+    });
+    const ends = new Set([...sides.values()].map(({ to }) => to));
+    const open = [...sides.keys()].find((side) => !ends.has(side));
+    const way = (side: number) => subtract(at(positions, side), place);
+    const first = open ?? [...sides.keys()][0]!;
+    const { to, face } = sides.get(first)!;
+    const beside = [first, to].map((side) => add(place, scaled(way(side), 1e-3)));
+    return {
+      total: [...sides].reduce((sum, [side, next]) => sum + angle(way(side), way(next.to)), 0),
+      isOpen: open !== undefined,
+      beside: await pointsIn(mesh, face, beside),
+    };
   }
-  return fan;
+  return undefined;
 }
 
-/** The weights of a place between two corners of a face, at `part` of the way from a to b. */
-function near(part: number, a: number, b: number): [number, number, number] {
-  const bary: [number, number, number] = [0, 0, 0];
-  bary[a]! += 1 - part;
-  bary[b]! += part;
-  return bary;
+/** A point of a face of the surface; other parts may have a face at its place. */
+export async function inFace(mesh: AnyMesh, point: PointLike): Promise<SurfacePoint> {
+  const [{ face, bary }] = (await mesh.expMap(point, [0, 0, 0])).points as [SurfacePoint];
+  return { face, bary: [...bary] };
 }
 
-async function cornersOf(mesh: AnyMesh, face: number): Promise<Vector[]> {
-  const places = await mesh.positionsOf([0, 1, 2].map((k) => ({ face, bary: near(0, k, k) })));
-  return [0, 1, 2].map((k) => at(places, k));
-}
-
-/** The face beyond a place on a side of a face; undefined at the boundary. */
-async function faceAcross(
+/** Places in a face, as points of it. */
+async function pointsIn(
   mesh: AnyMesh,
   face: number,
-  corners: readonly Vector[],
-  bary: readonly [number, number, number],
-): Promise<number | undefined> {
-  const third: [number, number, number] = [1 / 3, 1 / 3, 1 / 3];
-  const way = corners
-    .map((corner, k) => scaled(corner, bary[k]! - third[k]!))
-    .reduce(add, [0, 0, 0]);
-  const { path } = await mesh.straightest({ face, bary: third }, [...way], 1.1 * norm(way));
-  return path.points().find((point) => point.face !== face)?.face;
+  places: readonly Vector[],
+): Promise<SurfacePoint[]> {
+  const corners = [0, 1, 2].map((k) => ({ face, bary: [0, 1, 2].map((i) => +(i === k)) }));
+  const flat = await mesh.positionsOf(corners as SurfacePoint[]);
+  const a = at(flat, 0);
+  const [u, v] = [subtract(at(flat, 1), a), subtract(at(flat, 2), a)];
+  const normal = cross(u, v);
+  return places.map((place) => {
+    const way = subtract(place, a);
+    const [second, third] = [cross(way, v), cross(u, way)].map(
+      (area) => dot(area, normal) / dot(normal, normal),
+    ) as [number, number];
+    return { face, bary: [1 - second - third, second, third] };
+  });
 }
 
 /** The factor by which the log map scales the angles around a vertex. */
@@ -133,9 +137,9 @@ const scaleOf = ({ total, isOpen }: Fan) => (isOpen ? 1 : (2 * Math.PI) / total)
  * `beside`. At the boundary it is from 0 to the total angle.
  */
 function directionIn(fan: Fan, angle: number): number {
-  const { total, isOpen, before } = fan;
+  const { total, isOpen } = fan;
   if (!isOpen) return angle / scaleOf(fan);
-  const direction = (angle + before + 2 * Math.PI) % (2 * Math.PI);
+  const direction = (angle + 2 * Math.PI) % (2 * Math.PI);
   if (direction <= total) return direction;
   return direction - total < 2 * Math.PI - direction ? total : 0;
 }
