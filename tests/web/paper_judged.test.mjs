@@ -165,6 +165,36 @@ describe('the paper, judged', () => {
     await settled('plane');
   });
 
+  test('Figure 8: another anisotropy leaves the button Triangles as it is', async () => {
+    await open('plane');
+    const panel = page.locator('#plane .panel-card').nth(3);
+    const button = panel.getByRole('button', { name: 'Triangles' });
+    /** The surface alone. */
+    const picture = () =>
+      page.evaluate(() => {
+        const { sections } = window.karcherPaper;
+        const { panels } = sections.find(({ element }) => element.id === 'plane');
+        const svg = new DOMParser().parseFromString(panels[3].svg(), 'image/svg+xml');
+        return svg.querySelector('image').getAttribute('href');
+      });
+    const before = await button.getAttribute('aria-pressed');
+    await button.click();
+    const chosen = await button.getAttribute('aria-pressed');
+    assert.notEqual(chosen, before);
+    await panel.getByLabel('Anisotropy').fill('3');
+    await settled('plane');
+    assert.equal(await button.getAttribute('aria-pressed'), chosen);
+    const kept = await picture();
+    await button.click();
+    const other = await picture();
+    assert.ok(kept !== other, 'the first click after the change changes the picture');
+    await button.click();
+    assert.ok((await picture()) === kept, 'the second one restores it');
+    await button.click();
+    await panel.getByLabel('Anisotropy').fill('20');
+    await settled('plane');
+  });
+
   test('the carried drawing follows a control point on either side', async () => {
     const section = page.locator('#carried');
     await section.scrollIntoViewIfNeeded();

@@ -390,9 +390,8 @@ export class FigurePanel {
       return made;
     };
     const edges = button('Triangles', () => {
-      const shown = edges.getAttribute('aria-pressed') !== 'true';
-      edges.setAttribute('aria-pressed', `${shown}`);
-      this.#view.edges = shown;
+      this.#view.edges = !this.#view.edges;
+      edges.setAttribute('aria-pressed', `${this.#view.edges}`);
     });
     edges.setAttribute('aria-pressed', `${this.#view.edges}`);
     const name = `karcher-${this.panel.points}-${this.panel.id}`;

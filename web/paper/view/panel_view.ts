@@ -49,6 +49,7 @@ export class PanelView {
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
   #surfaceColor = new Color();
+  #edges: boolean;
   #frame = 0;
   #seen = false;
   #stale = true;
@@ -59,6 +60,7 @@ export class PanelView {
     private readonly canvas: HTMLCanvasElement,
     private readonly panel: Panel,
   ) {
+    this.#edges = panel.view?.edges ?? false;
     this.#controls = new OrbitControls(this.#camera, stage);
     // The wheel and a finger that moves up or down scroll the page.
     this.#controls.enableZoom = false;
@@ -130,17 +132,19 @@ export class PanelView {
       this.#surface.dispose();
     }
     this.#surface = new Surface(drawn);
-    this.#surface.edges = this.panel.view?.edges ?? false;
+    this.#surface.edges = this.#edges;
     ownMaterials(this.#surface);
     this.#scene.add(this.#surface.object);
     this.resetView([]);
   }
 
+  /** Whether this surface and those after it show their triangles. */
   get edges(): boolean {
-    return this.panel.view?.edges ?? false;
+    return this.#edges;
   }
 
   set edges(visible: boolean) {
+    this.#edges = visible;
     if (this.#surface) this.#surface.edges = visible;
     this.requestFrame();
   }
