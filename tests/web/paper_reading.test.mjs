@@ -141,6 +141,91 @@ describe('the Paper page for readers', () => {
     assert.ok(others.length <= 2, `${others}`);
   });
 
+  /**
+   * Opens the page at Figure 6. From the first measurement by exact paths of its first panel on,
+   * the worker sends nothing until the page cancels this work, or the returned function is called.
+   */
+  async function openHeldAtMeasurement() {
+    page = await browser.context.newPage();
+    const hold = () => {
+      let work = null;
+      const held = [];
+      const send = globalThis.postMessage.bind(globalThis);
+      const flush = () => {
+        for (const message of held.splice(0)) send(...message);
+      };
+      addEventListener('message', ({ data }) => {
+        if (data.call === 'trace' && data.args[0].panel.id === 'equal') work = data.id;
+        if (data.cancel !== work) return;
+        work = null;
+        flush();
+      });
+      globalThis.postMessage = (...message) => {
+        const [{ id, args }] = message;
+        const isMeasurement = id === work && args?.[1]?.measured !== undefined;
+        if (isMeasurement || held.length > 0) held.push(message);
+        else send(...message);
+      };
+      globalThis.release = () => {
+        globalThis.postMessage = send;
+        flush();
+      };
+    };
+    await page.route(/worker/, async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, body: `(${hold})();${await response.text()}` });
+    });
+    await page.goto(`${browser.address}paper.html?antialias=off&detail=0.02`);
+    await page.waitForFunction(() => window.karcherPaper);
+    await goTo('rational');
+    await page
+      .locator('#rational .panel-card')
+      .first()
+      .getByText('Measures by exact paths…', { exact: true })
+      .waitFor();
+    return () =>
+      Promise.all(page.workers().map((worker) => worker.evaluate(() => globalThis.release?.())));
+  }
+  /** The lines of that panel, and whether they have measurements, once all is done. */
+  async function measured() {
+    const lines = await page.waitForFunction(() => {
+      const { sections } = window.karcherPaper;
+      const { panels } = sections.find(({ element }) => element.id === 'rational');
+      return panels[0].settled && JSON.parse(panels[0].json()).lines;
+    });
+    const all = await lines.jsonValue();
+    return all.map((line) => [line.id, Boolean(line.ruler)]);
+  }
+
+  test('all lines are measured by exact paths, even if another one is switched on meanwhile', async () => {
+    const release = await openHeldAtMeasurement();
+    await page.locator('#rational tr[data-line="bSurf"] input').first().check();
+    await release();
+    assert.deepEqual(await measured(), [
+      ['bSurf', true],
+      ['paper', true],
+      ['karcher', true],
+      ['leveled', true],
+    ]);
+  });
+
+  test('all lines are measured by exact paths, even if a visible figure interrupts them', async () => {
+    const release = await openHeldAtMeasurement();
+    await goTo('plane');
+    await page.waitForFunction(() => {
+      const { sections } = window.karcherPaper;
+      const { panels } = sections.find(({ element }) => element.id === 'plane');
+      return panels.some(({ settled }) => settled);
+    });
+    await release();
+    await goTo('rational');
+    assert.deepEqual(await measured(), [
+      ['paper', true],
+      ['karcher', true],
+      ['leveled', true],
+    ]);
+  });
+
   test('a loupe enlarges curves, follows the mouse, moves by keys and can be closed', async () => {
     await open({ query: '?antialias=off&detail=0.02' });
     await goTo('paths');

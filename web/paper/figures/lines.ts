@@ -1,5 +1,5 @@
 import type { MethodOptions } from 'karcher/peers';
-import type { LineId } from './types';
+import type { LineId, LineNumbers, LineResult } from './types';
 
 export interface LineStyle {
   label: string;
@@ -140,3 +140,13 @@ export const slowLines: ReadonlySet<LineId> = new Set([
   'paperGraph2',
   'paperGraph6',
 ]);
+
+/** A line without its geometry. */
+export function numbersOf({
+  polylines: _,
+  status: __,
+  marker: ___,
+  ...numbers
+}: LineResult): LineNumbers {
+  return numbers;
+}

@@ -1,7 +1,7 @@
 import { Color } from 'three';
 import { madeKey, meshLabel } from '../../model/meshes';
 import { formatCount, make } from '../../panels/elements';
-import { lineStyles } from '../figures/lines';
+import { lineStyles, numbersOf } from '../figures/lines';
 import { panelTitle } from '../figures/titles';
 import type {
   CurveSpec,
@@ -71,6 +71,8 @@ export class FigurePanel {
   readonly #results = new Map<LineId, LineResult>();
   /** Requested lines that have not arrived yet. Their old results belong to earlier points. */
   readonly #waiting = new Set<LineId>();
+  /** Lines that have arrived without their measurement by exact paths. */
+  readonly #unmeasured = new Set<LineId>();
   #curve: CurveSpec;
   #spec: MeshSpec;
   #mesh: DrawnMesh | null = null;
@@ -133,10 +135,15 @@ export class FigurePanel {
 
   async #run(signal: AbortSignal): Promise<void> {
     if (!this.#mesh) await this.#makeMesh();
-    const missing = this.panel.lines.filter((id) => this.#shown.has(id) && !this.#result(id));
-    if (!this.#mesh || signal.aborted || missing.length === 0) return;
+    if (!this.#mesh || signal.aborted) return;
     signal.addEventListener('abort', () => this.#stop?.());
-    await this.#trace(missing);
+    await this.#trace(this.#missing());
+  }
+
+  /** The shown lines that have no result, or none with its measurement by exact paths. */
+  #missing(): LineId[] {
+    const isMissing = (id: LineId) => !this.#result(id) || this.#unmeasured.has(id);
+    return this.panel.lines.filter((id) => this.#shown.has(id) && isMissing(id));
   }
 
   async #makeMesh(): Promise<void> {
@@ -175,7 +182,7 @@ export class FigurePanel {
   measured(): LineNumbers[] | null {
     const changed = this.#curve !== this.panel.curve || this.#spec !== this.panel.mesh;
     if (!this.settled || changed) return null;
-    return this.panel.lines.flatMap((id) => this.#result(id) ?? []).map(numbersOf);
+    return this.#current().map(numbersOf);
   }
 
   /** Applies the colors of the theme. */
@@ -201,7 +208,7 @@ export class FigurePanel {
   }
 
   #forget(id: LineId): void {
-    this.#results.delete(id);
+    for (const known of [this.#results, this.#waiting, this.#unmeasured]) known.delete(id);
     this.#numbers.clear(id);
     this.#view.hideLine(id);
   }
@@ -211,11 +218,18 @@ export class FigurePanel {
     return this.#waiting.has(id) ? undefined : this.#results.get(id);
   }
 
+  /** The results of all lines that do not belong to earlier points. */
+  #current(): LineResult[] {
+    return this.panel.lines.flatMap((id) => this.#result(id) ?? []);
+  }
+
   /** Traces lines; resolves when they are done or when other lines replace them. */
   #trace(lines: readonly LineId[]): Promise<void> {
     this.#stop?.();
     if (!this.#mesh) return Promise.resolve();
     this.settled = false;
+    // A hidden line without its measurement is computed again when it is shown.
+    for (const id of this.#unmeasured) if (!lines.includes(id)) this.#forget(id);
     for (const id of lines) {
       this.#waiting.add(id);
       this.#numbers.wait(id);
@@ -234,6 +248,7 @@ export class FigurePanel {
         const line = this.#result(id);
         if (!line) return;
         line.ruler = ruler;
+        this.#unmeasured.delete(id);
         this.#numbers.set(line);
       },
       progress: (done, stage) => this.#progress(done, stage),
@@ -244,6 +259,7 @@ export class FigurePanel {
       },
       done: () => {
         this.settled = true;
+        this.#unmeasured.clear();
         this.events.measured();
         if (this.#note.dataset.kind === 'progress') this.#note.textContent = '';
         resolve();
@@ -311,15 +327,12 @@ export class FigurePanel {
     const result = this.#result(id);
     if (shown && result) this.#draw(result);
     // A new request replaces the present one, so it includes all lines that are still missing.
-    else if (shown) {
-      void this.#trace(
-        this.panel.lines.filter((one) => this.#shown.has(one) && !this.#result(one)),
-      );
-    }
+    else if (shown) void this.#trace(this.#missing());
   }
 
   #showLine(line: LineResult): void {
     this.#waiting.delete(line.id);
+    this.#unmeasured.add(line.id);
     this.#results.set(line.id, line);
     this.#numbers.set(line);
     if (this.#note.dataset.kind === 'progress') this.#tellWhat();
@@ -442,11 +455,7 @@ export class FigurePanel {
 
   /** The panel's numbers as JSON, for all methods with measurements at the current points. */
   json(): string {
-    const lines = this.panel.lines.flatMap((id) => {
-      const line = this.#result(id);
-      if (!line) return [];
-      return [numbersOf(line)];
-    });
+    const lines = this.#current().map(numbersOf);
     const { samples } = this.panel;
     const { info } = this.#mesh ?? {};
     const { points } = this.#placed ?? {};
@@ -461,14 +470,10 @@ export class FigurePanel {
   /** The panel as it appears, with its numbers as metadata. */
   svg(): string {
     const { clientWidth: width, clientHeight: height } = this.#stage;
-    const shown = this.panel.lines.flatMap((id) => {
-      const line = this.#result(id);
-      return line && this.#shown.has(id) ? [line] : [];
-    });
     return panelSvg({
       width,
       height,
-      lines: shown,
+      lines: this.#current().filter(({ id }) => this.#shown.has(id)),
       places: this.#placed?.places ?? [],
       seen: (place) => this.#view.project(this.#view.toScene(place)),
       picture: this.#surfacePicture(),
@@ -490,8 +495,3 @@ export class FigurePanel {
 /** A mesh in words. */
 const meshWords = (spec: MeshSpec) =>
   `${meshLabel(madeKey(spec))}, about ${formatCount(expectedTriangles(spec), 'triangle')}`;
-
-/** A line without its geometry. */
-function numbersOf({ polylines: _, status: __, marker: ___, ...numbers }: LineResult): LineNumbers {
-  return numbers;
-}
