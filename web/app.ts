@@ -19,7 +19,7 @@ import { exposeState } from './inspection';
 import { type DrawnObject, styleOf } from './model/drawing';
 import { isEmpty } from './model/figure';
 import { formatLink } from './model/link';
-import { meshLabel, readAs } from './model/meshes';
+import { meshLabel } from './model/meshes';
 import { isMethod, type MethodId } from './model/methods';
 import { placesOf } from './model/moving';
 import { withSources } from './model/sources';
@@ -314,12 +314,12 @@ export async function start(): Promise<void> {
   const surfacePanel = new SurfacePanel({
     choose: (key) => opening.sample(key),
     openFiles: (files) => void opening.files(files),
-    reread: (key) => opening.reread(key),
+    reread: (part) => void opening.reread(part),
   });
   const checkUpPanel = new CheckUpPanel(
     checkedUp,
     (places) => viewer.aids.showPlaces(places),
-    (weld) => void opening.reread(readAs(editor.state.mesh, { weld })),
+    (weld) => void opening.reread({ weld }),
   );
   opening.onEnd = () => {
     if (!session.client) return;
@@ -379,8 +379,8 @@ export async function start(): Promise<void> {
       .some(({ object, region }) => object.id === id && holds(region, point));
   const ofSurface = (point: SurfacePoint | null) => [
     ...cutPanel.actionsAt(point),
-    ...partActions(editor.state.mesh, session.client?.file ?? null, point?.face ?? null, (key) => {
-      void opening.reread(key);
+    ...partActions(editor.state.mesh, session.client?.file ?? null, point?.face ?? null, (part) => {
+      void opening.reread(part);
     }),
   ];
   new ContextMenu(

@@ -3,11 +3,11 @@ import type { Session } from './editor/engine/session';
 import type { Editor } from './editor/state/editor';
 import type { HowOpened } from './editor/state/state';
 import { readJson } from './export/curve_file';
-import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
+import { type Drawing, emptyDrawing } from './model/drawing';
 import { type Example, examples } from './model/examples';
 import { fitting } from './model/fitting';
 import type { History } from './model/history';
-import { formatLink, type Link, lostOf, parseLink, pointsOf } from './model/link';
+import { formatLink, type Link, parseLink, pointsOf } from './model/link';
 import { mostLinkPoints } from './model/link_problems';
 import {
   defaultMesh,
@@ -18,6 +18,7 @@ import {
   madeSource,
   meshLabel,
   parseKey,
+  type Reading,
   readAs,
   readingOf,
   sameSurface,
@@ -28,6 +29,7 @@ import { drawingOnPart, placesOfDrawing } from './model/part_drawing';
 import type { SurfacePart } from './model/parts';
 import { sameDrawing } from './model/saved_work';
 import { keepFile, keptFile, recall, remember } from './model/storage';
+import { carried, wantedOf } from './opened_drawing';
 import { formatBytes, formatCount, formatInteger } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
@@ -58,6 +60,8 @@ export class Opening {
   #restarts = 0;
   /** The number of choices of reading options so far, since only the last choice applies. */
   #turns = 0;
+  /** The key of the file with the chosen options, until the choice has taken effect. */
+  #rereading: string | null = null;
   #complaint: HTMLElement | null = null;
   /** Links whose files this browser does not have. Each waits until the user opens its file. */
   readonly #awaited = new Map<string, string>();
@@ -169,21 +173,32 @@ export class Opening {
   }
 
   /**
-   * Shows the present file with the reading options in a key. Another tolerance of welding or
-   * another upward axis keeps the drawing; other parts do not.
+   * Shows the present file with other reading options. Options that are not in `part` stay as they
+   * are, or as the user has chosen them just before. Another tolerance of welding or another upward
+   * axis keeps the drawing; other parts do not.
    */
-  async reread(key: string): Promise<void> {
+  async reread(part: Partial<Reading>): Promise<void> {
     const turn = ++this.#turns;
+    const isLast = () => turn === this.#turns;
     const shown = this.editor.state.mesh;
+    const key = readAs(this.#rereading ?? shown, part);
     const [before, after] = [readingOf(shown), readingOf(key)];
+    if (this.#rereading) this.#running?.abort();
+    this.#rereading = null;
     if (!before || !after || key === shown) return;
+    this.#rereading = key;
     const sameParts = `${before.parts}` === `${after.parts}`;
-    if (sameParts && before.weld === after.weld) return this.#turn(key, () => turn === this.#turns);
-    const content = await this.fileOf(key);
-    // Points refer to the file's own triangles, which do not change.
-    const wanted = () => (sameParts ? this.editor.state.drawing : null);
-    if (content) await this.#open(key, fileSource(key, content), wanted);
-    else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
+    try {
+      if (sameParts && before.weld === after.weld) return await this.#turn(key, isLast);
+      const content = await this.fileOf(key);
+      if (!isLast()) return;
+      // Points refer to the file's own triangles, which do not change.
+      const wanted = () => (sameParts ? this.editor.state.drawing : null);
+      if (content) await this.#open(key, fileSource(key, content), wanted);
+      else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
+    } finally {
+      if (isLast()) this.#rereading = null;
+    }
   }
 
   /** Shows the present surface with a key's upward axis, unless the user has chosen another one. */
@@ -457,23 +472,6 @@ function drawnMesh(client: EngineClient, key: string): GeometryRequest {
   };
 }
 
-/** The part of a link's drawing that lies on the surface; reports the rest. */
-function wantedOf(link: Link) {
-  return (surface: Surface): Drawing => {
-    const fit = fitting(link.drawing, surface.triangles);
-    const { points, circles } = lostOf(link, fit);
-    if (points > 0) {
-      const counted = formatCount(points, 'point of the link is', 'points of the link are');
-      showNote(`${counted} not on this surface and ${points === 1 ? 'was' : 'were'} left out.`);
-    }
-    if (circles > 0) {
-      const counted = formatCount(circles, 'circle of the link is', 'circles of the link are');
-      showNote(`${counted} not on this surface and ${circles === 1 ? 'was' : 'were'} left out.`);
-    }
-    return fit;
-  };
-}
-
 function withResolvers<Value>() {
   let resolve!: (value: Value) => void;
   const promise = new Promise<Value>((resolveIt) => {
@@ -486,9 +484,3 @@ function withResolvers<Value>() {
 const stageNames: Record<string, string> = { graph: 'Building the graph' };
 
 const stageName = (stage: string) => stageNames[stage] ?? 'Preparing';
-
-/** A drawing transferred to another mesh of the same surface, to the nearest points. */
-const carried = (drawing: Drawing, from: Surface, to: Surface) =>
-  withDrawingPlaces(drawing, (point) =>
-    to.nearest(to.inScene(from.fromScene(from.position(point)))),
-  );

@@ -72,6 +72,45 @@ describe('while the page waits', () => {
     await tab.close();
   });
 
+  test('for two choices of reading a file: both count, and a choice taken back does not', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    const x = [0, 1, 1.00005, 2];
+    const corners = x.flatMap((at) => [0, 1].map((y) => `v ${at} ${y} 0`));
+    const text = `o left\n${corners.join('\n')}\nf 1 3 4 2\no right\nf 5 7 8 6\n`;
+    await tab.drop('gap.obj', text);
+    await shown(tab, 'gap.obj');
+    await tab.settled();
+    const { mesh } = await tab.state();
+    const choose = (name, option) => page.getByRole('combobox', { name }).selectOption(option);
+    const release = async () => {
+      await hold(tab, '');
+      await page.evaluate(() => {
+        for (const send of window.held.splice(0)) send();
+      });
+      await tab.settled();
+    };
+    await hold(tab, 'engine');
+    await choose('Part of the file', { index: 1 });
+    await held(tab, 1);
+    await choose('Part of the file', { index: 0 });
+    await page.waitForFunction(() => document.getElementById('progress').hidden);
+    await release();
+    assert.equal((await tab.state()).mesh, mesh);
+    await hold(tab, 'engine');
+    await choose('Part of the file', { index: 2 });
+    await held(tab, 1);
+    await choose('What points up', 'X up');
+    await hold(tab, '');
+    await page.waitForFunction(() => {
+      for (const send of window.held.splice(0)) send();
+      return window.karcherPage.state().mesh.includes('~x');
+    });
+    await tab.settled();
+    assert.match((await tab.state()).mesh, /\.1~x:gap\.obj$/);
+    await tab.close();
+  });
+
   test('for a link’s method: its drawing does not appear on the surface that was opened since', async () => {
     const tab = await Tab.open(browser);
     await hold(tab, 'engine');

@@ -4,7 +4,7 @@ import {
   detailLabels,
   meshLabel,
   parseKey,
-  readAs,
+  type Reading,
   readingOf,
   samples,
   type UpAxis,
@@ -15,8 +15,8 @@ export interface SurfaceEvents {
   choose(key: string): void;
   /** Opens files that belong together, in any order. */
   openFiles(files: readonly File[]): void;
-  /** Reads the file again, with the options in a key. */
-  reread(key: string): void;
+  /** Reads the file again, with these options in place of the present ones. */
+  reread(part: Partial<Reading>): void;
 }
 
 /** The largest number of parts in a menu: a longer menu is useless. */
@@ -42,12 +42,11 @@ export function partActions(
   key: string,
   file: FileInfo | null,
   face: number | null,
-  reread: (key: string) => void,
+  reread: (part: Partial<Reading>) => void,
 ): readonly [name: string, act: () => void][] {
   const reading = readingOf(key);
   if (!file || !reading || file.parts.length < 2) return [];
-  const show = (parts: readonly number[] | null) => () =>
-    reread(readAs(key, { parts, weld: null }));
+  const show = (parts: readonly number[] | null) => () => reread({ parts, weld: null });
   if (reading.parts) return [[`Show all ${formatInteger(file.parts.length)} parts`, show(null)]];
   const part = face === null ? undefined : file.partOf?.[face];
   const name = part === undefined ? undefined : file.parts[part]?.name;
@@ -77,10 +76,10 @@ export class SurfacePanel {
     });
     this.#part.addEventListener('change', () => {
       const parts = this.#part.value === '' ? null : [Number(this.#part.value)];
-      events.reread(readAs(this.#key, { parts, weld: null }));
+      events.reread({ parts, weld: null });
     });
     this.#up.addEventListener('change', () => {
-      events.reread(readAs(this.#key, { up: this.#up.value as UpAxis }));
+      events.reread({ up: this.#up.value as UpAxis });
     });
     this.#takeDrops();
   }
