@@ -62,6 +62,8 @@ export class Opening {
   #turns = 0;
   /** The key of the file with the chosen options, until the choice has taken effect. */
   #rereading: string | null = null;
+  /** Restarts the engine that stopped while a surface was being opened. */
+  #restartLater: (() => void) | null = null;
   #complaint: HTMLElement | null = null;
   /** Links whose files this browser does not have. Each waits until the user opens its file. */
   readonly #awaited = new Map<string, string>();
@@ -411,6 +413,9 @@ export class Opening {
       if (this.#running === controller) {
         this.#running = null;
         this.onEnd();
+        const restart = this.#restartLater;
+        this.#restartLater = null;
+        if (this.session.client?.closed) restart?.();
       }
     }
   }
@@ -447,6 +452,11 @@ export class Opening {
    * After `mostRestarts` restarts, the method only reports the end.
    */
   #restart(source: MeshSource): void {
+    if (this.#running) {
+      // The surface that is being opened may replace this one.
+      this.#restartLater = () => this.#restart(source);
+      return;
+    }
     if (this.#restarts++ >= mostRestarts) {
       showError(
         'The engine stopped again. Your curve is kept; open the surface again to continue.',

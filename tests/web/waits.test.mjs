@@ -24,6 +24,9 @@ describe('while the page waits', () => {
 
         constructor(address, options) {
           super(address, options);
+          this.addEventListener('error', () => {
+            window.broken = true;
+          });
           this.#name = `${address}`;
         }
 
@@ -109,6 +112,47 @@ describe('while the page waits', () => {
     await tab.settled();
     assert.match((await tab.state()).mesh, /\.1~x:gap\.obj$/);
     await tab.close();
+  });
+
+  test('for a surface: an engine that stops meanwhile is only restarted if the surface does not open', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click([-20, 60], [30, 0], [0, -60], [10, 90]);
+    const surface = page.locator('#surface');
+    const stopped = page.getByText('The engine stopped');
+    /** Begins to open a surface. Before an answer, the engine of the present surface stops. */
+    const crash = async (id) => {
+      await hold(tab, 'engine');
+      await surface.selectOption(id);
+      await held(tab, 1);
+      await tab.engines()[0].evaluate(() =>
+        setTimeout(() => {
+          throw new Error('out of memory');
+        }),
+      );
+      await page.waitForFunction(() => window.broken);
+      assert.equal(await stopped.count(), 0);
+      await hold(tab, '');
+      await page.evaluate(() => {
+        window.broken = false;
+      });
+    };
+    await crash('openSheet');
+    await page.evaluate(() => {
+      for (const send of window.held.splice(0)) send();
+    });
+    await page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('openSheet'));
+    await tab.settled();
+    assert.equal(await stopped.count(), 0);
+    await crash('knot');
+    await page.getByRole('button', { name: 'Cancel', exact: true }).click();
+    await stopped.waitFor();
+    await page.waitForFunction(() => document.getElementById('progress').hidden);
+    await tab.settled();
+    await tab.click([-20, 60], [30, 0], [0, -60], [10, 90]);
+    assert.match((await tab.state()).mesh, /^openSheet/);
+    assert.ok((await tab.view()).curve.length > 0);
+    await page.close();
   });
 
   test('for a link’s method: its drawing does not appear on the surface that was opened since', async () => {
