@@ -113,35 +113,79 @@ describe('on the stage', () => {
   const open = { frame: { scale: 1 }, depth: () => Infinity, toScene: (line) => line };
   const near = 0.01;
 
+  /** The parts of a line of these places on the stage, with a margin in pixels. */
+  const partsOf = (vantage, places, margin = 100) => [
+    ...vantage.seenParts(Float32Array.from(places.flat()), margin),
+  ];
+  const scale = size.height / 2 / Math.tan(Math.PI / 12);
+  /** The place on the stage of a place in front of the camera of `viewOf(open, 0)`. */
+  const seenAt = ([x, y, z]) => [
+    size.width / 2 - (scale * x) / z,
+    size.height / 2 + (scale * y) / z,
+  ];
+
   test('the parts of a line in front of the camera end at its near plane, and are seen where they are', () => {
     // The camera is at the origin and looks down the z axis.
     const vantage = viewOf(open, 0);
-    // The line starts behind the camera, and passes it at x = 1 and at x = 2.
-    const places = [1, 1, 2, 2].map((x, i) => [x, 0.5, [1, -3, -3, 1][i]]);
-    const [part, ...more] = [...vantage.seenParts(Float32Array.from(places.flat()))];
+    // The line starts behind the camera, and passes it on two sides of the stage's middle.
+    const places = [1, 1, -1, -1].map((x, i) => [x / 500, 1e-3, [1, -3, -3, 1][i]]);
+    const [part, ...more] = partsOf(vantage, places);
     assert.deepEqual(more, []);
-    assert.equal(part.first, 0);
-    assert.deepEqual(part.hidden, [false, false, false, false]);
-    const cut = [1, 2].map((x) => [x, 0.5, -near]);
-    const scale = size.height / 2 / Math.tan(Math.PI / 12);
-    for (const [i, [x, y, z]] of [cut[0], places[1], places[2], cut[1]].entries()) {
-      const wanted = [size.width / 2 - (scale * x) / z, size.height / 2 + (scale * y) / z];
+    assert.ok(part.hidden.every((hidden) => !hidden));
+    assert.deepEqual([...new Set(part.segments)], [0, 1, 2]);
+    const cut = [0, 3].map((i) => [...places[i].slice(0, 2), -near]);
+    const wanted = [cut[0], places[1], places[2], cut[1]].map(seenAt);
+    const corners = [0, 1, 2].map((segment) => part.segments.indexOf(segment));
+    for (const [i, vertex] of [...corners, part.x.length - 1].entries()) {
+      const off = Math.hypot(part.x[vertex] - wanted[i][0], part.y[vertex] - wanted[i][1]);
       // Places have 24 bits.
-      const most = 1e-5 * Math.hypot(...wanted);
-      assert.ok(Math.abs(part.x[i] - wanted[0]) < most, `${part.x[i]}, not ${wanted[0]}`);
-      assert.ok(Math.abs(part.y[i] - wanted[1]) < most, `${part.y[i]}, not ${wanted[1]}`);
+      assert.ok(off < 1e-3, `${part.x[vertex]}, ${part.y[vertex]}, not ${wanted[i]}`);
     }
     const back = places.map(([x, y, z]) => [x, y, -z]);
-    const two = [...vantage.seenParts(Float32Array.from(back.flat()))];
     assert.deepEqual(
-      two.map(({ first, x }) => [first, x.length]),
-      [
-        [0, 2],
-        [2, 2],
-      ],
+      partsOf(vantage, back).map(({ segments }) => [...new Set(segments)]),
+      [[0], [2]],
     );
     const behind = places.map(([x, y, z]) => [x, y, z + 4]);
-    assert.deepEqual([...vantage.seenParts(Float32Array.from(behind.flat()))], []);
+    assert.deepEqual(partsOf(vantage, behind), []);
+  });
+
+  test('the parts of a line that passes beside the camera end at the sides of the stage', () => {
+    const vantage = viewOf(open, 0);
+    const margin = 8;
+    // Three sides of a square around the camera, which cross the view in front of it.
+    const places = [1, -3, -3, 1].map((z, i) => [[-3, -3, 3, 3][i], 0.2, z]);
+    const [part, ...more] = partsOf(vantage, places, margin);
+    assert.deepEqual(more, []);
+    assert.deepEqual([...new Set(part.segments)], [1]);
+    assert.ok(Math.abs(part.x[0] + margin) < 1e-3, `${part.x[0]}`);
+    assert.ok(Math.abs(part.x.at(-1) - size.width - margin) < 1e-3, `${part.x.at(-1)}`);
+    const [, y] = seenAt(places[1]);
+    for (const seen of part.y) assert.ok(Math.abs(seen - y) < 1e-3, `${seen}, not ${y}`);
+    assert.ok(part.x.length < 500, `${part.x.length} places`);
+    const above = places.map(([x, , z]) => [x, 3, z]);
+    assert.deepEqual(partsOf(vantage, above, margin), []);
+  });
+
+  test('a long segment is seen as far as nothing covers it', () => {
+    const edge = 0.4;
+    const vantage = viewOf({ ...lidded(edge), toScene: (line) => line }, 6);
+    const places = [
+      [-1, -0.2, 0],
+      [1, 0.3, 0],
+    ];
+    const [{ x, y, hidden, segments }, ...more] = partsOf(vantage, places);
+    assert.deepEqual(more, []);
+    assert.deepEqual([...new Set(segments)], [0]);
+    // The ray to the lid's edge meets the plane z = 0 beyond the edge.
+    const covered = (edge * 6) / 5.9;
+    const at = vantage.onStage(new Vector3(covered, -0.2 + ((covered + 1) / 2) * 0.5, 0));
+    for (const [i, isHidden] of hidden.entries()) {
+      const away = Math.hypot(x[i] - at.x, y[i] - at.y);
+      if (away > 1e-3) assert.equal(isHidden, x[i] > at.x, `${x[i]}, ${y[i]}`);
+    }
+    const first = hidden.indexOf(true);
+    assert.ok(x[first] - x[first - 1] < 5, `${x[first - 1]} to ${x[first]}`);
   });
 
   test('a painted triangle that passes the camera is painted in front of it only', () => {

@@ -329,8 +329,9 @@ function* seenLines(
     look: Omit<DrawnLine, 'lost' | keyof SeenLine>,
     isLost?: (segment: number) => boolean,
   ): Generator<DrawnLine> {
-    for (const { first, ...part } of vantage.seenParts(line)) {
-      const has = (segment: number) => isLost!(first + segment);
+    // The round ends of a part lie outside the stage.
+    for (const { segments, ...part } of vantage.seenParts(line, look.width / 2)) {
+      const has = (segment: number) => isLost!(segments[segment]!);
       yield { ...part, ...look, ...(isLost && { lost: { color: colors.lost, has } }) };
     }
   }

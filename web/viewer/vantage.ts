@@ -1,4 +1,4 @@
-import { Matrix4, type PerspectiveCamera, Ray, Vector3 } from 'three';
+import { Matrix4, type PerspectiveCamera, Ray, Vector3, Vector4 } from 'three';
 import type { LineStyle } from '../model/drawing';
 import type { Surface } from './surface';
 
@@ -7,6 +7,11 @@ export interface SeenLine {
   x: number[];
   y: number[];
   hidden: boolean[];
+}
+
+/** A part of a polyline on the stage, with the index of the polyline's segment for each of its own. */
+export interface SeenPart extends SeenLine {
+  segments: number[];
 }
 
 /** The visible point of a line that appears nearest to a place of the stage. */
@@ -19,6 +24,8 @@ export interface NearestSeen {
 
 /** A point that is at most this far behind the surface, in the scene, counts as on it. */
 const grain = 0.004;
+/** The largest distance between tests of whether a line is hidden, in CSS pixels. */
+const step = 4;
 
 /** The view of a camera on a surface, on a stage. */
 export class Vantage {
@@ -70,26 +77,61 @@ export class Vantage {
   }
 
   /**
-   * The parts of a polyline, in the surface's coordinates, that the camera's near plane does not cut
-   * off, as they appear on the stage. Each part has the index of its first segment.
+   * The parts of a polyline, in the surface's coordinates, in the view and a margin around it, as
+   * they appear on the stage. A part has extra places on long segments, which may be hidden between
+   * their ends.
    */
-  *seenParts(polyline: Float32Array): Generator<SeenLine & { first: number }> {
+  *seenParts(polyline: Float32Array, margin: number): Generator<SeenPart> {
     const places = placesIn(this.surface?.toScene(polyline));
-    const heights = places.map((place) => this.height(place));
+    const heights = places.map((place) => this.#heights(place, margin));
     let part: Vector3[] = [];
-    let first = 0;
-    for (const [i, place] of places.entries()) {
-      const [before, height] = [heights[Math.max(0, i - 1)]!, heights[i]!];
-      if (before >= 0 !== height >= 0) {
-        if (height >= 0) first = i - 1;
-        part.push(places[i - 1]!.clone().lerp(place, before / (before - height)));
+    let segments: number[] = [];
+    for (const [segment, from] of places.slice(0, -1).entries()) {
+      const to = places[segment + 1]!;
+      const [enters, leaves] = partAbove(heights[segment]!, heights[segment + 1]!);
+      if (enters < leaves) {
+        const [start, end] = [enters, leaves].map((t) => from.clone().lerp(to, t)) as [
+          Vector3,
+          Vector3,
+        ];
+        if (part.length === 0) part.push(start);
+        const added = this.#inSteps(start, end);
+        part.push(...added);
+        segments.push(...added.map(() => segment));
       }
-      if (height >= 0) part.push(place);
-      if (part.length > 0 && (height < 0 || i === places.length - 1)) {
-        yield { ...this.#onStage(part), first };
-        part = [];
+      if (part.length > 0 && (leaves < 1 || segment === places.length - 2)) {
+        yield { ...this.#onStage(part), segments };
+        [part, segments] = [[], []];
       }
     }
+  }
+
+  /**
+   * The heights of a place of the scene above the planes that bound the view with a margin, in front
+   * of the camera and at the four sides. The heights are linear in the place.
+   */
+  #heights(place: Vector3, margin: number): number[] {
+    const { matrixWorldInverse, projectionMatrix, near } = this.camera;
+    const { x, y, w } = new Vector4(...place.toArray(), 1)
+      .applyMatrix4(matrixWorldInverse)
+      .applyMatrix4(projectionMatrix);
+    const [aside, up] = [this.size.width, this.size.height].map(
+      (length) => w * (1 + (2 * margin) / length),
+    ) as [number, number];
+    return [w - near, aside + x, aside - x, up + y, up - y];
+  }
+
+  /** Places of the scene on a segment after its start, near to each other on the stage. */
+  #inSteps(start: Vector3, end: Vector3): Vector3[] {
+    const [from, to] = [start, end].map((place) => this.onStage(place.clone())) as [
+      Vector3,
+      Vector3,
+    ];
+    const pieces = Math.max(1, Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / step));
+    const between = Array.from({ length: pieces - 1 }, (_, i) =>
+      this.fromStage(from.clone().lerp(to, (i + 1) / pieces)),
+    );
+    return [...between, end];
   }
 
   #onStage(places: readonly Vector3[]): SeenLine {
@@ -161,6 +203,22 @@ export class Vantage {
     const [x = 0, y = 0, z = 0] = polyline.subarray(middle, middle + 3);
     return Number(this.seenWidth(style, this.surface!.inScene([x, y, z])).toFixed(2));
   }
+}
+
+/**
+ * The part of a segment where no height is negative, from 0 at the segment's start to 1 at its end,
+ * by the heights at both; from 1 to 0 if there is none.
+ */
+function partAbove(from: readonly number[], to: readonly number[]): [number, number] {
+  let [enters, leaves] = [0, 1];
+  for (const [k, before] of from.entries()) {
+    const after = to[k]!;
+    if (before < 0 && after < 0) return [1, 0];
+    const crosses = before / (before - after);
+    if (before < 0) enters = Math.max(enters, crosses);
+    else if (after < 0) leaves = Math.min(leaves, crosses);
+  }
+  return [enters, leaves];
 }
 
 const placesIn = (coordinates: ArrayLike<number> = []): Vector3[] =>
