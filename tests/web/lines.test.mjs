@@ -267,22 +267,51 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('have dashes as long as they are wide, even in the SVG', async () => {
+  test('have dashes as long as they are wide and as the view is near, even in the SVG', async () => {
     const tab = await two();
-    await tab.page.keyboard.press('Control+a');
-    await tab.page.locator('#dash').selectOption('dashed');
-    const dashes = [];
-    for (const width of ['4', '12']) {
-      await tab.page.locator('#width').fill(width);
-      await tab.page.keyboard.press('Enter');
-      await tab.settled();
+    const { page } = tab;
+    await page.keyboard.press('Control+a');
+    await page.locator('#dash').selectOption('dashed');
+    const dashes = async () => {
       const { text } = await tab.save('SVG');
-      dashes.push(/stroke-dasharray="([\d. ]+)" stroke-width/.exec(text)[1].split(' ').map(Number));
+      const [dash] = text.match(/<path[^>]* stroke-dasharray="[^"]*"[^>]*/);
+      assert.match(dash, / stroke-linecap="butt"/);
+      return /stroke-dasharray="([\d. ]+)"/.exec(dash)[1].split(' ').map(Number);
+    };
+    const isTimes = (factor, after, before) => {
+      for (const [i, length] of after.entries()) {
+        assert.ok(Math.abs(length - factor * before[i]) < 0.05, `${after}, ${before}`);
+      }
+    };
+    const thin = await dashes();
+    await page.locator('#width').fill('12');
+    await page.keyboard.press('Enter');
+    await page.locator('#width').blur();
+    await tab.settled();
+    const wide = await dashes();
+    isTimes(3, wide, thin);
+    // The length of a segment at the middle of the first line, in pixels.
+    const length = () =>
+      page.evaluate(() => {
+        const [line] = window.karcherPage.view().others[0].lines;
+        const middle = Math.floor(line.length / 6);
+        const [a, b] = [middle - 1, middle + 1].map((i) =>
+          window.karcherPage.seen(line.subarray(3 * i, 3 * i + 3)),
+        );
+        return Math.hypot(a.x - b.x, a.y - b.y);
+      });
+    const before = await length();
+    const { x, y } = await tab.middle();
+    await page.mouse.move(x, y);
+    for (let notch = 0; notch < 4; notch++) {
+      await page.mouse.wheel(0, -120);
+      await tab.still();
     }
-    assert.deepEqual(
-      dashes[1],
-      dashes[0].map((length) => 3 * length),
-    );
+    const grown = (await length()) / before;
+    assert.ok(grown > 1.2, `${grown}`);
+    const near = await dashes();
+    const factor = near[0] / wide[0];
+    assert.ok(Math.abs(factor - grown) < 0.1 * grown, `${factor}, not ${grown}`);
     await tab.close();
   });
 

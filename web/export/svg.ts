@@ -13,7 +13,7 @@ export interface DrawnLine extends SeenLine {
   /** Whether the drawing omits the hidden parts of the line, as it does with an outline. */
   visibleOnly?: boolean;
   /** Segments in another color, by the index of their first vertex. */
-  lost?: { color: string; has(segment: number): boolean };
+  lost?: { color: string; dashes: string; has(segment: number): boolean };
 }
 
 /**
@@ -137,21 +137,21 @@ function pathsOf(
     const place = `cx="${short(x[0]!)}" cy="${short(y[0]!)}" r="${short(width / 2)}"`;
     return [`<circle ${place} fill="${color}"${hidden[0] ? faint : ''}/>`];
   }
-  const look = (segment: number) => {
+  const lookOf = (segment: number) => {
     const seen = hidden[segment] && hidden[segment + 1] ? faint : '';
-    const stroke = lost?.has(segment)
-      ? `stroke="${lost.color}" stroke-dasharray="4 5"`
-      : `stroke="${color}"${dashes ? ` stroke-dasharray="${dashes}"` : ''}`;
-    return `${stroke} stroke-width="${width}"${seen}`;
+    const look = lost?.has(segment) ? lost : { color, dashes };
+    // Dashes have no round ends, which would fill the gaps between them.
+    const dashed = look.dashes && ` stroke-dasharray="${look.dashes}" stroke-linecap="butt"`;
+    return `stroke="${look.color}"${dashed ?? ''} stroke-width="${width}"${seen}`;
   };
   const at = (vertex: number): Planar => [x[vertex]!, y[vertex]!];
   const paths: string[] = [];
   let first = 0;
   for (let segment = 1; segment < x.length; segment++) {
-    if (segment < x.length - 1 && look(segment) === look(first)) continue;
+    if (segment < x.length - 1 && lookOf(segment) === lookOf(first)) continue;
     const isLeftOut = behind === 'left out' && hidden[first] && hidden[first + 1];
     const vertices = Array.from({ length: segment - first + 1 }, (_, i) => at(first + i));
-    if (!isLeftOut) paths.push(`<path ${look(first)} d="${pathData(vertices)}"/>`);
+    if (!isLeftOut) paths.push(`<path ${lookOf(first)} d="${pathData(vertices)}"/>`);
     first = segment;
   }
   return paths;

@@ -13,14 +13,15 @@ import {
   partsOfSvg,
   type Drawing as SvgDrawing,
 } from '../export/svg';
-import { type DrawnObject, defaultStyle, isBlank, type LineStyle } from '../model/drawing';
+import { type DrawnObject, isBlank, type LineStyle } from '../model/drawing';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 import { isEmpty, isRound, type Vector } from '../model/figure';
 import { gathered } from '../model/gathered';
 import { madeSource, meshLabel } from '../model/meshes';
 import { originsText } from '../model/origins';
 import type { ViewerColors } from '../viewer/colors';
-import { dotStyle } from '../viewer/object_lines';
+import { fineDash } from '../viewer/fat_line';
+import { dotStyle, fatStyle } from '../viewer/object_lines';
 import type { SeenLine, Vantage } from '../viewer/vantage';
 import type { Viewer } from '../viewer/viewer';
 import { download } from './download';
@@ -329,12 +330,23 @@ function* seenLines(
     look: Omit<DrawnLine, 'lost' | keyof SeenLine>,
     isLost?: (segment: number) => boolean,
   ): Generator<DrawnLine> {
+    const lost = { color: colors.lost, dashes: vantage.dashesOf(fineDash, line) };
     // The round ends of a part lie outside the stage.
     for (const { segments, ...part } of vantage.seenParts(line, look.width / 2)) {
       const has = (segment: number) => isLost!(segments[segment]!);
-      yield { ...part, ...look, ...(isLost && { lost: { color: colors.lost, has } }) };
+      yield { ...part, ...look, ...(isLost && { lost: { ...lost, has } }) };
     }
   }
+  const colorOf = ({ color }: LineStyle) => color ?? colors.curve;
+  const styled = (style: LineStyle, line: Float32Array) => {
+    const { dash } = fatStyle(style, viewer.surface);
+    const dashes = dash && vantage.dashesOf(dash, line);
+    return {
+      color: colorOf(style),
+      width: vantage.widthOf(style, line),
+      ...(dashes && { dashes }),
+    };
+  };
   const visibleOnly = !viewer.hiddenLines;
   const named = (object: DrawnObject) => ({ visibleOnly, object: titled(object) });
   function* dots(points: readonly SurfacePoint[], style: LineStyle): Generator<DrawnLine> {
@@ -342,26 +354,21 @@ function* seenLines(
     for (const point of points) {
       const place = viewer.surface!.position(point);
       const { x, y, hidden, height } = vantage.project(place);
-      const width = vantage.seenWidth(wide, place);
-      const look = drawnStyle(wide, width, colors.curve);
+      const look = { color: colorOf(style), width: vantage.seenWidth(wide, place) };
       if (height >= 0) yield { x: [x], y: [y], hidden: [hidden], ...look };
     }
   }
   for (const { id, style, lines, points, center } of others) {
     const object = objects.find((one) => one.id === id);
     for (const line of lines) {
-      const look = drawnStyle(style, vantage.widthOf(style, line), colors.curve);
-      yield* drawn(line, { ...look, ...(object && named(object)) });
+      yield* drawn(line, { ...styled(style, line), ...(object && named(object)) });
     }
     for (const dot of dots(center ? [...points, center] : points, style)) {
       yield { ...dot, ...(object && named(object)) };
     }
   }
   for (const leg of legs) yield* drawn(leg, { color: colors.polygon, width: 1.2 });
-  const own = (line: Float32Array) => ({
-    ...drawnStyle(active, vantage.widthOf(active, line), colors.curve),
-    ...named(active),
-  });
+  const own = (line: Float32Array) => ({ ...styled(active, line), ...named(active) });
   if (curve) {
     const { polyline, polylineStatus } = curve;
     yield* drawn(polyline, own(polyline), (segment) => polylineStatus[segment + 1] === 1);
@@ -382,10 +389,3 @@ const titled = (object: DrawnObject) => ({
   ...{ id: object.id, name: nameOf(object), opacity: object.opacity },
   description: originsText(object.figure),
 });
-
-/** A line's style in an SVG, where dashes are in pixels. */
-function drawnStyle({ color, dash }: LineStyle, width: number, curve: string) {
-  const lengths = { solid: null, dashed: [12, 8], dotted: [2, 6] }[dash];
-  const dashes = lengths?.map((one) => (one * width) / defaultStyle.width).join(' ');
-  return { color: color ?? curve, width, ...(dashes && { dashes }) };
-}

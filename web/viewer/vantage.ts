@@ -199,9 +199,22 @@ export class Vantage {
    * hundredth of a CSS pixel.
    */
   widthOf(style: LineStyle, polyline: Float32Array): number {
+    return rounded(this.seenWidth(style, this.#middleOf(polyline)));
+  }
+
+  /**
+   * The visible lengths of a dash and a gap of the scene at the middle of a polyline in the
+   * surface's coordinates, for an SVG.
+   */
+  dashesOf([dash, gap]: readonly [number, number], polyline: Float32Array): string {
+    const pixel = this.reach(this.#middleOf(polyline), 1) * this.surface!.frame.scale;
+    return `${rounded(dash / pixel)} ${rounded(gap / pixel)}`;
+  }
+
+  #middleOf(polyline: Float32Array): Vector3 {
     const middle = 3 * Math.floor(polyline.length / 6);
     const [x = 0, y = 0, z = 0] = polyline.subarray(middle, middle + 3);
-    return Number(this.seenWidth(style, this.surface!.inScene([x, y, z])).toFixed(2));
+    return this.surface!.inScene([x, y, z]);
   }
 }
 
@@ -220,6 +233,8 @@ function partAbove(from: readonly number[], to: readonly number[]): [number, num
   }
   return [enters, leaves];
 }
+
+const rounded = (pixels: number) => Number(pixels.toFixed(2));
 
 const placesIn = (coordinates: ArrayLike<number> = []): Vector3[] =>
   Array.from({ length: coordinates.length / 3 }, (_, i) =>

@@ -52,7 +52,7 @@ function drawnLines({ id, polylines, status }: LineResult, seen: PanelDrawing['s
       hidden: places.map(({ hidden }) => hidden),
       color,
       width: lineStyles[id].width,
-      lost: { color, has: (segment: number) => status[k]?.[segment + 1] === 1 },
+      lost: { color, dashes: '4 5', has: (segment: number) => status[k]?.[segment + 1] === 1 },
     };
   });
 }
