@@ -295,7 +295,9 @@ export class SaveMenu {
     const { objects } = this.editor.state.drawing;
     const shown = {
       ...{ ...view, others, single: isSingle ? points : [] },
-      ...(ownToo ? {} : { curve: null, isolines: null, legs: [] }),
+      ...(ownToo ? {} : { curve: null, isolines: null }),
+      // Without a selection, the control polygon is not visible.
+      legs: ownToo && !this.editor.state.none ? view.legs : [],
     };
     const lines = await gathered(seenLines(shown, active, objects, viewer, vantage, colors));
     const all = await gathered(seenFills(viewer, vantage, colors));
