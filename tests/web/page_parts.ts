@@ -7,6 +7,7 @@ export { Expansion } from '../../web/editor/engine/expansion';
 export { mirroredDerived, mirroredFigures, mirrorLine } from '../../web/editor/engine/mirroring';
 export { Move } from '../../web/editor/engine/moving';
 export { Session } from '../../web/editor/engine/session';
+export { PenGestures } from '../../web/editor/hand/pen_gestures';
 export { Editor } from '../../web/editor/state/editor';
 export { arranging, reordering } from '../../web/model/arranging';
 export { apply, invert } from '../../web/model/commands';

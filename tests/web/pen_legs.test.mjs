@@ -245,6 +245,37 @@ describe('legs of the pen', () => {
     assert.deepEqual(legs(), [false, false, false]);
   });
 
+  test('follow a handle that another joint moves, as in a drag', async () => {
+    const { editor, session } = page;
+    const pen = new page.PenGestures(editor, session, null, null);
+    const anchor = (at) => ({
+      ...along(at),
+      tangents: { after: along(at + 0.6), before: { length: 0.1 } },
+    });
+    await draw([along(0), anchor(0.3), along(0.9)]);
+    for (const at of places(0.3, 2.2)) await drag(1, [anchor(at)]);
+    await release();
+    const drawn = figure();
+    const lengths = { corner: 2.1, smooth: 2.1, symmetric: 1.6 };
+    for (const [joint, length] of Object.entries(lengths)) {
+      editor.select(1);
+      pen.setJoint(joint);
+      await page.settled();
+      const { polyline } = session.view.curve;
+      const joined = figure().points[1];
+      assert.deepEqual(legs(), [true, true, false]);
+      isNear(lengthOf(session.view.curve.legs[1]), length);
+      editor.undo();
+      await page.settled();
+      assert.deepEqual(figure(), drawn);
+      await drag(1, [joined]);
+      await release();
+      assert.deepEqual(session.view.curve.polyline, polyline, joint);
+      editor.undo();
+      await page.settled();
+    }
+  });
+
   test('beside an inserted anchor are stored only if they have points', async () => {
     await drawnOut();
     await release();
