@@ -188,6 +188,35 @@ describe('on the stage', () => {
     assert.ok(x[first] - x[first - 1] < 5, `${x[first - 1]} to ${x[first]}`);
   });
 
+  test('the SVG of a figure’s panel has only what lies in front of the camera', async () => {
+    const { panelSvg } = await load('paper/view/panel_svg.ts');
+    const vantage = viewOf(open, 0);
+    const seen = (place) => vantage.project(new Vector3(...place));
+    const svgOf = (line, marker, places, status = []) =>
+      panelSvg({
+        ...{ vantage, seen, places, picture: '', numbers: '{}' },
+        colorOf: () => '#123456',
+        lines: [{ id: 'exactPath', polylines: [Float32Array.from(line.flat())], status, marker }],
+      });
+    const front = [1, 1, 2, 2].map((x, i) => [x / 8, 0.1, [1, -3, -3, 1][i]]);
+    const behind = front.map(([x, y, z]) => [x, y, z + 4]);
+    const passing = svgOf(front, front[1], [front[1], front[0]]);
+    assert.equal(passing.match(/<path/g).length, 1);
+    assert.equal(passing.match(/<circle/g).length, 2);
+    // All places in front of the camera are above it, in the upper half of the stage.
+    const [, path] = passing.match(/ d="([^"]*)"/);
+    const ys = path.match(/-?[\d.]+/g).filter((_, i) => i % 2);
+    for (const y of ys) assert.ok(y < size.height / 2, `${y} is below the middle: ${path}`);
+    assert.doesNotMatch(svgOf(behind, behind[1], [behind[2]]), /<path|<circle/);
+    // The last segment is lost, also after a part behind the camera.
+    const back = front.map(([x, y, z]) => [x, y, -z]);
+    const lost = svgOf(back, undefined, [], [Uint8Array.of(0, 0, 0, 1)]);
+    assert.deepEqual(
+      lost.match(/<path[^>]*>/g).map((path) => path.includes('stroke-dasharray')),
+      [false, true],
+    );
+  });
+
   test('a painted triangle that passes the camera is painted in front of it only', () => {
     const vantage = viewOf(open, 0);
     // The half plane below the camera, y = -1, appears in the lower half of the stage.

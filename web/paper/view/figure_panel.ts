@@ -469,10 +469,9 @@ export class FigurePanel {
 
   /** The panel as it appears, with its numbers as metadata. */
   svg(): string {
-    const { clientWidth: width, clientHeight: height } = this.#stage;
     return panelSvg({
-      width,
-      height,
+      vantage: this.#view.vantage,
+      colorOf: lineColor,
       lines: this.#current().filter(({ id }) => this.#shown.has(id)),
       places: this.#placed?.places ?? [],
       seen: (place) => this.#view.project(this.#view.toScene(place)),

@@ -1,23 +1,16 @@
-import { svgOf } from '../../export/svg';
+import { type DrawnLine, svgOf } from '../../export/svg';
+import type { Vantage } from '../../viewer/vantage';
 import { lineStyles } from '../figures/lines';
-import type { LineResult, Vector } from '../figures/types';
-import { lineColor } from './theme_colors';
-
-/** A place on the stage, in CSS pixels. */
-interface Seen {
-  x: number;
-  y: number;
-  hidden: boolean;
-}
+import type { LineId, LineResult, Vector } from '../figures/types';
 
 export interface PanelDrawing {
-  width: number;
-  height: number;
+  vantage: Vantage;
   lines: readonly LineResult[];
   /** The control points. */
   places: readonly Vector[];
   /** The place on the stage at which a place of the mesh appears. */
-  seen(place: Vector): Seen;
+  seen(place: Vector): ReturnType<Vantage['project']>;
+  colorOf(line: LineId): string;
   /** The surface alone, as the address of an image. */
   picture: string;
   /** The panel's numbers as JSON. */
@@ -26,33 +19,32 @@ export interface PanelDrawing {
 
 /** A panel as it appears, as an SVG file with its numbers as metadata. */
 export function panelSvg(panel: PanelDrawing): string {
-  const { width, height, places, seen, picture, numbers } = panel;
+  const { vantage, places, seen, colorOf, picture, numbers } = panel;
+  const { width, height } = vantage.size;
   const markers = panel.lines.flatMap(({ id, marker }) =>
-    marker ? [{ ...seen(marker), color: lineColor(id) }] : [],
+    marker ? [{ ...seen(marker), color: colorOf(id) }] : [],
   );
-  const points = places.map((place) => ({ ...seen(place), color: lineColor('exactPath') }));
-  const lines = panel.lines.flatMap((line) => drawnLines(line, seen));
+  const points = places.map((place) => ({ ...seen(place), color: colorOf('exactPath') }));
+  const dots = [...points, ...markers].filter(({ height }) => height >= 0);
+  const lines = panel.lines.flatMap((line) => drawnLines(line, colorOf(line.id), vantage));
   const text = numbers.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
   const image = `<image href="${picture}" width="${width}" height="${height}"/>`;
-  return svgOf({ width, height, lines, points: [...points, ...markers] }).replace(
+  return svgOf({ width, height, lines, points: dots }).replace(
     '<g ',
     () => `<metadata>${text}</metadata>\n${image}\n<g `,
   );
 }
 
-function drawnLines({ id, polylines, status }: LineResult, seen: PanelDrawing['seen']) {
-  const color = lineColor(id);
-  return polylines.map((polyline, k) => {
-    const places = Array.from({ length: polyline.length / 3 }, (_, i) =>
-      seen([...polyline.subarray(3 * i, 3 * i + 3)] as Vector),
-    );
-    return {
-      x: places.map(({ x }) => x),
-      y: places.map(({ y }) => y),
-      hidden: places.map(({ hidden }) => hidden),
-      color,
-      width: lineStyles[id].width,
-      lost: { color, dashes: '4 5', has: (segment: number) => status[k]?.[segment + 1] === 1 },
-    };
-  });
+function drawnLines(
+  { id, polylines, status }: LineResult,
+  color: string,
+  vantage: Vantage,
+): DrawnLine[] {
+  const { width } = lineStyles[id];
+  return polylines.flatMap((polyline, k) =>
+    [...vantage.seenParts(polyline, width / 2)].map(({ segments, ...part }) => {
+      const has = (segment: number) => status[k]?.[segments[segment]! + 1] === 1;
+      return { ...part, color, width, lost: { color, dashes: '4 5', has } };
+    }),
+  );
 }

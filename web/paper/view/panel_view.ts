@@ -13,6 +13,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { DrawnGeometry } from '../../viewer/drawn_geometry';
 import { FatLine, fineDash } from '../../viewer/fat_line';
 import { fitSurface, Surface } from '../../viewer/surface';
+import { Vantage } from '../../viewer/vantage';
 import type { LineResult, Panel, Vector } from '../figures/types';
 import type { SharedRenderer } from './shared_renderer';
 
@@ -214,21 +215,15 @@ export class PanelView {
     return this.#surface.fromScene(hit.position);
   }
 
-  /**
-   * The place of a point of the scene on the stage, in CSS pixels, and whether the point is hidden:
-   * behind the surface or behind the camera.
-   */
-  project(position: Vector3): { x: number; y: number; hidden: boolean } {
-    const { ray } = this.#raycaster;
-    const distance = this.#camera.position.distanceTo(position);
-    ray.origin.copy(this.#camera.position);
-    ray.direction.copy(position).sub(ray.origin).normalize();
-    const hidden = (this.#surface?.depth(ray) ?? Number.POSITIVE_INFINITY) < distance - 0.006;
-    const place = position.clone().project(this.#camera);
-    const { clientWidth, clientHeight } = this.stage;
-    const x = ((place.x + 1) / 2) * clientWidth;
-    const y = ((1 - place.y) / 2) * clientHeight;
-    return { x, y, hidden: hidden || place.z > 1 };
+  /** The present view. */
+  get vantage(): Vantage {
+    const { clientWidth: width, clientHeight: height } = this.stage;
+    return new Vantage(this.#surface, this.#camera, { width, height });
+  }
+
+  /** The place of a scene's point on the stage, in CSS pixels, and whether the point is hidden. */
+  project(position: Vector3): ReturnType<Vantage['project']> {
+    return this.vantage.project(position);
   }
 
   /**
