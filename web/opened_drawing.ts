@@ -1,5 +1,5 @@
 /** The drawings with which a surface opens. */
-import { type Drawing, withDrawingPlaces } from './model/drawing';
+import { type Drawing, withObjectPlaces } from './model/drawing';
 import { fitting } from './model/fitting';
 import { type Link, lostOf } from './model/link';
 import { formatCount } from './panels/elements';
@@ -24,7 +24,11 @@ export function wantedOf(link: Link) {
 }
 
 /** A drawing transferred to another mesh of the same surface, to the nearest points. */
-export const carried = (drawing: Drawing, from: Surface, to: Surface) =>
-  withDrawingPlaces(drawing, (point) =>
-    to.nearest(to.inScene(from.fromScene(from.position(point)))),
-  );
+export const carried = (drawing: Drawing, from: Surface, to: Surface): Drawing => ({
+  ...drawing,
+  objects: drawing.objects.map((object) =>
+    withObjectPlaces(object, (point) =>
+      to.nearest(to.inScene(from.fromScene(from.position(point)))),
+    ),
+  ),
+});

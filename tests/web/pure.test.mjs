@@ -185,21 +185,23 @@ describe('a figure', () => {
   });
 
   test('that is a cut keeps its choices of parts on another mesh', async () => {
-    const { withDrawingPlaces, newObject } = await load('model/drawing.ts');
+    const { withObjectPlaces, newObject } = await load('model/drawing.ts');
     const parts = [
       { point: point(3), state: 'deleted' },
       { point: point(4), state: 'hidden' },
     ];
     const cut = { ...figure, kind: 'cut', points: [], derived: { sources: [1, 2], parts } };
-    const drawing = { objects: [{ ...newObject(1), figure: cut }], active: 1 };
-    const moved = withDrawingPlaces(drawing, ({ face }) => point(face + 100));
-    assert.deepEqual(moved.objects[0].figure.derived, {
+    const moved = (move) => withObjectPlaces(newObject(1, cut), move).figure.derived;
+    const move = ({ face }) => point(face + 100);
+    assert.deepEqual(moved(move), {
       sources: [1, 2],
       parts: [
         { ...parts[0], point: point(103) },
         { ...parts[1], point: point(104) },
       ],
     });
+    const onPart = (place) => (place.face === 3 ? move(place) : null);
+    assert.deepEqual(moved(onPart).parts, [{ ...parts[0], point: point(103) }]);
   });
 
   test('does not pass its inside on to the next one', async () => {

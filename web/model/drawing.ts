@@ -148,16 +148,19 @@ export function styleOf({ color, width, onSurface, dash, opacity }: LineStyle): 
   return { color, width, onSurface, dash, opacity };
 }
 
-/** The drawing with `move` applied to each of its places on the surface. */
-export function withDrawingPlaces(
-  drawing: Drawing,
-  move: (point: SurfacePoint) => SurfacePoint,
-): Drawing {
-  const objects = drawing.objects.map((object) => {
-    const figure = withPlaces(object.figure, move);
-    const { derived } = figure;
-    const parts = derived?.parts?.map((part) => ({ ...part, point: move(part.point) }));
-    return { ...object, figure: parts ? { ...figure, derived: { ...derived!, parts } } : figure };
+/**
+ * The object with `move` applied to each of its places on the surface. It loses the choices for
+ * parts of a cut whose points have no new place.
+ */
+export function withObjectPlaces(
+  object: DrawnObject,
+  move: (point: SurfacePoint) => SurfacePoint | null | undefined,
+): DrawnObject {
+  const figure = withPlaces(object.figure, (place) => move(place)!);
+  const { derived } = figure;
+  const parts = derived?.parts?.flatMap((part) => {
+    const point = move(part.point);
+    return point ? [{ ...part, point }] : [];
   });
-  return { ...drawing, objects };
+  return { ...object, figure: parts ? { ...figure, derived: { ...derived!, parts } } : figure };
 }

@@ -1,8 +1,8 @@
 /** The part of a drawing that lies on a part of its surface. */
 import type { SurfacePoint } from 'karcher';
 import { isDerived } from './derived';
-import { type Drawing, type DrawnObject, emptyDrawing } from './drawing';
-import { isEmpty, withPlaces } from './figure';
+import { type Drawing, type DrawnObject, emptyDrawing, withObjectPlaces } from './drawing';
+import { isEmpty } from './figure';
 import { placesOf } from './moving';
 
 /** All places of a drawing, including the places of choices for the parts of cuts. */
@@ -39,24 +39,11 @@ export function drawingOnPart(
     before = stays.size;
     for (const object of drawn) if (comes(object)) stays.delete(object.id);
   }
-  const came = drawn.filter(({ id }) => !stays.has(id)).map((object) => moved(object, onPart));
+  const came = drawn
+    .filter(({ id }) => !stays.has(id))
+    .map((object) => withObjectPlaces(object, (place) => onPart.get(place)));
   const all = drawn.length;
   if (came.length === 0) return { drawing: emptyDrawing, came: 0, all };
   const open = came.find(({ id }) => id === active) ?? came.at(-1)!;
   return { drawing: { objects: came, active: open.id }, came: came.length, all };
-}
-
-function moved(
-  object: DrawnObject,
-  onPart: ReadonlyMap<SurfacePoint, SurfacePoint | null>,
-): DrawnObject {
-  const figure = withPlaces(object.figure, (place) => onPart.get(place)!);
-  const parts = figure.derived?.parts?.flatMap((part) => {
-    const point = onPart.get(part.point);
-    return point ? [{ ...part, point }] : [];
-  });
-  return {
-    ...object,
-    figure: parts ? { ...figure, derived: { ...figure.derived!, parts } } : figure,
-  };
 }
