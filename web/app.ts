@@ -56,7 +56,7 @@ import { ViewMenu } from './panels/view_menu';
 import { addressOf, linkOf, longestLink, saveChanges } from './saving';
 import { CombLayer } from './viewer/comb_layer';
 import { DistanceLayer } from './viewer/distance_layer';
-import type { ObjectDrawing } from './viewer/object_lines';
+import { dotAt, type ObjectDrawing } from './viewer/object_lines';
 import { holds } from './viewer/regions';
 import type { Surface } from './viewer/surface';
 import { Viewer } from './viewer/viewer';
@@ -75,8 +75,19 @@ function drawingOf(
   return {
     ...{ id, style, locked },
     lines: lines.map((line) => surface.toScene(line)),
-    dots: single.map((point) => surface.position(point)),
+    dots: single.map((point) => dotAt(surface.position(point))),
   };
+}
+
+const drawings = new WeakMap<Surface, WeakMap<Beside, ObjectDrawing>>();
+
+/** The drawing of an object, the same as before if the object has not changed. */
+function drawingBeside(one: Beside, viewer: Viewer): ObjectDrawing {
+  const surface = viewer.surface!;
+  const known = drawings.get(surface) ?? new WeakMap<Beside, ObjectDrawing>();
+  const drawing = known.get(one) ?? drawingOf(one, viewer);
+  drawings.set(surface, known.set(one, drawing));
+  return drawing;
 }
 
 /** The dots of the edited object, if it consists of single points; other kinds have lines. */
@@ -217,7 +228,7 @@ export async function start(): Promise<void> {
   const comparisonPanel = new ComparisonPanel(editor, comparison);
   const showBeside = () => {
     const compared = comparedDrawing(editor, comparison, viewer);
-    const beside = besideShown.map((one) => drawingOf(one, viewer));
+    const beside = besideShown.map((one) => drawingBeside(one, viewer));
     ownShown = editor.active;
     viewer.showObjects([...beside, ...ownDots(editor, viewer), ...compared]);
   };

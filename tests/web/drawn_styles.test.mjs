@@ -32,6 +32,61 @@ describe('transparent lines', () => {
   });
 });
 
+test('lines that stay the same are not drawn anew with the others of their style', async () => {
+  const { FatLine } = await load('viewer/fat_line.ts');
+  const band = { width: 0.1, normals: (one) => one.map((value) => value + 1) };
+  for (const look of [{}, { band }]) {
+    const drawn = new FatLine({ width: 2, hidden: 0, ...look }, 1);
+    const names = ['instanceStart', ...(look.band ? ['instanceNormalStart'] : [])];
+    const dataOf = (name) => drawn.object.children[0].geometry.getAttribute(name).data;
+    /** The first and the last float of an upload, as the renderer takes it. */
+    const upload = () => {
+      const ranges = dataOf('instanceStart').updateRanges.map(({ start, count }) => [start, count]);
+      dataOf('instanceStart').clearUpdateRanges();
+      return ranges;
+    };
+    const moved = (by) => line.map((value) => value + by);
+    const shows = (lines, first, count = lines.length - first) => {
+      assert.deepEqual(upload(), count > 0 ? [[6 * first, 6 * count]] : []);
+      assert.equal(drawn.object.children[0].geometry.instanceCount, lines.length);
+      for (const [k, name] of names.entries()) {
+        const floats = lines.flatMap((one) => [...one].map((value) => value + k));
+        assert.deepEqual([...dataOf(name).array.subarray(0, 6 * lines.length)], floats);
+      }
+    };
+    const [a, b, c, d] = [0, 1, 2, 3].map(moved);
+    drawn.set([a, b, c]);
+    shows([a, b, c], 0);
+    drawn.set([a, b, c]);
+    shows([a, b, c], 3);
+    drawn.set([a, b, d]);
+    shows([a, b, d], 2);
+    drawn.set([a, b]);
+    shows([a, b], 2);
+    drawn.set([b, a]);
+    drawn.set([b, a, c]);
+    shows([b, a, c], 0);
+    drawn.setChosen(c, () => true);
+    drawn.set([c, d]);
+    shows([c, d], 0);
+    // Larger buffers get all lines.
+    const many = Array.from({ length: 600 }, (_, i) => moved(i));
+    drawn.set([c, d, ...many]);
+    shows([c, d, ...many], 0);
+    drawn.clear();
+    drawn.set([c]);
+    shows([c], 0);
+  }
+  const plain = new FatLine({ width: 2, hidden: 0 }, 1);
+  plain.set([line]);
+  plain.setStyle({ width: 2, band });
+  const normals = plain.object.children[0].geometry.getAttribute('instanceNormalStart');
+  assert.deepEqual(
+    [...normals.data.array.subarray(0, 6)],
+    [...line].map((value) => value + 1),
+  );
+});
+
 describe('a fill with a pattern', () => {
   let regions;
   before(async () => {

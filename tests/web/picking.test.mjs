@@ -101,7 +101,7 @@ describe('on the stage', () => {
     const front = new Vector3(0, 0, 1);
     const wide = { ...style, width: 20 };
     const [dot] = [[0, 0, 1, 1e-4, 0, 1]].map((line) => Float32Array.from(line));
-    const objects = [{ id: 7, style: wide, locked: false, lines: [], dots: [front] }];
+    const objects = [{ id: 7, style: wide, locked: false, lines: [], dots: [dot] }];
     const { x, y } = vantage.onStage(front.clone());
     const found = (dx) =>
       new modules.LinesAt(vantage, { ...pickable(dot), objects }, { x: x + dx, y }).object(5);

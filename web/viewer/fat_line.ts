@@ -52,6 +52,9 @@ const hiddenWidth = 0.55;
 export const fineDash = [0.009, 0.006] as const;
 const smallest = 256;
 
+const segmentsOf = (polylines: readonly Float32Array[]) =>
+  polylines.reduce((sum, line) => sum + Math.max(0, line.length / 3 - 1), 0);
+
 /**
  * A geometry without an index: with one, software rendering in Chromium 156 draws only the first
  * instance.
@@ -77,6 +80,8 @@ export class FatLine {
   #normals: Band['normals'] | null = null;
   /** Sets the visible polylines again, for another style. */
   #again = () => {};
+  /** The polylines in the buffers, if all of their segments are visible. */
+  #whole: readonly Float32Array[] = [];
   #geometry = new LineSegmentsGeometry();
   #ends = new Float32Array(0);
   #distances = new Float32Array(0);
@@ -149,22 +154,30 @@ export class FatLine {
   }
 
   clear(): void {
-    this.#again = () => {};
-    this.#segments = 0;
-    this.#upload();
+    this.set([]);
   }
 
-  /** Replaces the visible polylines. Each has the coordinates x, y, z of its points. */
+  /**
+   * Replaces the visible polylines. Each has the coordinates x, y, z of its points. Those before the
+   * first new one stay in the buffers, so that a drag of one object does not draw all others anew.
+   */
   set(polylines: readonly Float32Array[]): void {
-    this.#again = () => this.set(polylines);
-    const count = polylines.reduce((sum, line) => sum + Math.max(0, line.length / 3 - 1), 0);
-    this.#reserve(count);
-    this.#segments = 0;
-    for (const line of polylines) {
+    this.#again = () => {
+      this.#whole = [];
+      this.set(polylines);
+    };
+    this.#reserve(segmentsOf(polylines));
+    const before = this.#whole;
+    const changed = polylines.findIndex((line, i) => line !== before[i]);
+    const kept = changed < 0 ? polylines.length : changed;
+    const first = segmentsOf(polylines.slice(0, kept));
+    this.#segments = first;
+    for (const line of polylines.slice(kept)) {
       const normals = this.#normals?.(line);
       for (let i = 3; i < line.length; i += 3) this.#add(line, i, normals);
     }
-    this.#upload();
+    this.#whole = [...polylines];
+    this.#upload(first);
   }
 
   /** Shows the segments of a polyline that `choice` accepts. */
@@ -174,7 +187,8 @@ export class FatLine {
     this.#segments = 0;
     const normals = this.#normals?.(line);
     for (let i = 3; i < line.length; i += 3) if (choice(i / 3 - 1)) this.#add(line, i, normals);
-    this.#upload();
+    this.#whole = [];
+    this.#upload(0);
   }
 
   dispose(): void {
@@ -197,6 +211,7 @@ export class FatLine {
   #reserve(count: number): void {
     const isOnSurface = this.#normals !== null;
     if (6 * count <= (isOnSurface ? this.#asides : this.#ends).length) return;
+    this.#whole = [];
     const capacity = Math.max(smallest, 2 ** Math.ceil(Math.log2(count)), this.#ends.length / 6);
     this.#ends = new Float32Array(6 * capacity);
     this.#distances = new Float32Array(2 * capacity);
@@ -225,15 +240,20 @@ export class FatLine {
     for (const line of this.object.children) (line as LineSegments2).geometry = this.#geometry;
   }
 
-  #upload(): void {
+  /** Uploads the segments from `first` on. */
+  #upload(first: number): void {
     this.#geometry.instanceCount = this.#segments;
     this.object.visible = this.#segments > 0;
+    if (first === this.#segments) return;
     for (const name of ['instanceStart', 'instanceDistanceStart', 'instanceNormalStart']) {
       const attribute = this.#geometry.getAttribute(name) as InterleavedBufferAttribute | undefined;
       if (!attribute) continue;
       const { data } = attribute;
+      // Earlier ranges remain until the next frame.
+      const starts = data.updateRanges.map(({ start }) => start);
+      const start = Math.min(first * data.stride, ...starts);
       data.clearUpdateRanges();
-      data.addUpdateRange(0, this.#segments * data.stride);
+      data.addUpdateRange(start, this.#segments * data.stride - start);
       data.needsUpdate = true;
     }
   }

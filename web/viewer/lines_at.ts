@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import type { LineStyle } from '../model/drawing';
-import { dotAt, dotStyle, type ObjectDrawing } from './object_lines';
+import { dotStyle, type ObjectDrawing } from './object_lines';
 import type { Vantage } from './vantage';
 
 /** The lines that a pointer may pick, in the scene. */
@@ -45,9 +45,7 @@ export class LinesAt {
   object(within: number): number | null {
     const found = this.lines.objects.findLast(({ locked, style, lines, dots }) => {
       const isSeen = (look: LineStyle) => (line: Float32Array) => this.#pointOf(line, within, look);
-      return (
-        !locked && (lines.some(isSeen(style)) || dots.map(dotAt).some(isSeen(dotStyle(style))))
-      );
+      return !locked && (lines.some(isSeen(style)) || dots.some(isSeen(dotStyle(style))));
     });
     return found?.id ?? null;
   }
@@ -109,8 +107,7 @@ export function objectsIn(
     return false;
   };
   const others = objects.filter(
-    ({ locked, lines, dots }) =>
-      !locked && (lines.some(isWithin) || dots.map(dotAt).some(isWithin)),
+    ({ locked, lines, dots }) => !locked && [...lines, ...dots].some(isWithin),
   );
   return { others: others.map(({ id }) => id), edited: own.some(isWithin) };
 }

@@ -3,14 +3,14 @@ import { type Dash, defaultStyle, type LineStyle } from '../model/drawing';
 import { FatLine, type LineStyle as FatLineStyle } from './fat_line';
 import type { Surface } from './surface';
 
-/** The drawn form of an object: lines and single points, in the scene. */
+/** The drawn form of an object, in the scene: lines, and single points by `dotAt`. */
 export interface ObjectDrawing {
   id: number;
   style: LineStyle;
   /** Whether the object is locked, so that a click cannot select it. */
   locked: boolean;
   lines: readonly Float32Array[];
-  dots: readonly Vector3[];
+  dots: readonly Float32Array[];
 }
 
 /** Dash and gap of a line of normal width, in units of the scene; a surface's diagonal is 2. */
@@ -110,7 +110,7 @@ export class ObjectLines {
     for (const { style, lines, dots } of objects) {
       if (lines.length > 0) add(style, lines);
       if (dots.length > 0) {
-        add(dotStyle(style), dots.map(dotAt));
+        add(dotStyle(style), dots);
       }
     }
     for (const [key, line] of this.#lines) {
