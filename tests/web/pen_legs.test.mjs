@@ -148,7 +148,8 @@ describe('legs of the pen', () => {
     }
     const bent = length();
     await release();
-    isNear(length(), bent, 1e-6);
+    // Slow steps of a drag draw a draft.
+    isNear(length(), bent);
     assert.deepEqual(legs(), [true, false]);
     assert.deepEqual(
       page.session.view.shorter.map(({ index }) => index),
