@@ -119,6 +119,44 @@ for (const [where, karcher] of Object.entries({ 'in the page': engine, 'in a wor
       }
     });
 
+    test('parts with a common vertex have cells of their own', async () => {
+      const corner = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+      const positions = [...corner, ...corner.slice(3).map((x) => -2 * x)];
+      const faces = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+      const other = faces.map((v) => (v === 0 ? 0 : v + 3)).toReversed();
+      const mesh = await karcher.meshFromArrays(positions, [...faces, ...other]);
+      assert.ok(kinds(mesh).includes('bowTie'));
+      const area = (3 + Math.sqrt(3)) / 2;
+      const sites = [1, 6].map((face) => ({ face, bary: [0.25, 0.25, 0.5] }));
+      for (const order of [sites, sites.toReversed()]) {
+        const { areas, borders, nearest, cell } = await voronoi(mesh, order);
+        const first = order === sites ? 0 : 1;
+        near([areas[first], areas[1 - first]], [area, 4 * area]);
+        assert.deepEqual(borders, []);
+        assert.deepEqual(
+          [...nearest],
+          [first, first, first, first, 1 - first, 1 - first, 1 - first],
+        );
+        near([cell(0).perimeter, cell(1).perimeter], [0, 0]);
+      }
+    });
+
+    test('isolines do not cross from a fin to the sheet on which it stands', async () => {
+      const places = [0, 1, 2].flatMap((x) => [x, 0, 0, x, 1, 0]);
+      const sheet = [0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3];
+      const fin = [2, 6, 7, 2, 7, 3];
+      for (const triangles of [
+        [...sheet, ...fin],
+        [...fin, ...sheet],
+      ]) {
+        const mesh = await karcher.meshFromArrays([...places, 1, 0, 1, 1, 1, 1], triangles);
+        assert.ok(kinds(mesh).includes('branching'));
+        const [lines] = await isolines(mesh, [0, 1, 0, 1, 0, 1, 0, 1], [0.25]);
+        near(lines.map(({ length }) => length).sort(), [1, 2]);
+        for (const line of lines) await mesh.offset([line], { distance: 0.1 });
+      }
+    });
+
     // Faces around the origin, where the median of two near and close points and a far one is not.
     const around = Array.from({ length: 6 }, (_, i) => {
       const turn = (i * Math.PI) / 3;

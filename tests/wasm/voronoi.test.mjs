@@ -30,6 +30,14 @@ function unwelded(obj) {
   return [...corners.map((corner) => places[corner - 1]), ...faces].join('\n');
 }
 
+/** The file with every third face turned over. */
+function partlyTurned(obj) {
+  let faces = 0;
+  return obj.replace(/^f (.*)$/gm, (line, corners) =>
+    faces++ % 3 ? line : `f ${corners.split(' ').reverse().join(' ')}`,
+  );
+}
+
 /**
  * The area of the part of a square that is nearest to one of several points: the square, clipped by
  * bisectors.
@@ -67,7 +75,8 @@ describe('a Voronoi diagram', () => {
     const random = randomFrom(seed);
     const cells = 8;
     const sites = Array.from({ length: 12 }, () => [cells * random(), cells * random()]);
-    for (const text of [grid(cells), unwelded(grid(cells))]) {
+    const texts = [grid(cells), unwelded(grid(cells)), partlyTurned(unwelded(grid(cells)))];
+    for (const text of texts) {
       for (const mesh of [engine.meshFromObj(text), await remote.meshFromObj(text)]) {
         const points = [];
         for (const site of sites) points.push((await mesh.nearestPoint([...site, 0])).point);

@@ -5,7 +5,7 @@ import type { RegionValue } from '../path_values.js';
 import { Region } from '../region.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import type { AnyMesh } from './energy.js';
-import { inFace } from './median_step.js';
+import { inFace } from './fans.js';
 import { facesOf } from './surface.js';
 
 /** The options of the search for a centroid. */

@@ -6,7 +6,8 @@ import { checkArray, checkNumber, checkOptions, namesOf } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import { type AnyMesh, checkWeights } from './energy.js';
-import { inFace, stepFrom } from './median_step.js';
+import { inFace } from './fans.js';
+import { stepFrom } from './median_step.js';
 
 export { KarcherError } from '../errors.js';
 export { type Centroid, type CentroidOptions, centroid } from './centroid.js';

@@ -2,8 +2,8 @@ import { checkArray, checkNumber, toFloat64 } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
 import type { AnyMesh } from './energy.js';
+import { fansOf } from './fans.js';
 import { type LevelCrossing, levelLines } from './level_lines.js';
-import { facesOf, firstOfWelded } from './surface.js';
 
 /**
  * The lines on which a function has given levels: a list of paths for each level. The function has
@@ -30,23 +30,15 @@ export async function isolines(
   const wanted = checkArray(levels, 'the levels').map((level, i) =>
     checkNumber(level, `level ${i}`),
   );
-  const positions = await mesh.positions();
-  if (given.length !== positions.length / 3) {
-    const sentence = `there are ${positions.length / 3} vertices but ${given.length} values`;
+  const count = (await mesh.positions()).length / 3;
+  if (given.length !== count) {
+    const sentence = `there are ${count} vertices but ${given.length} values`;
     throw new KarcherError('badArgument', sentence);
   }
-  const faces = await facesOf(mesh, positions);
-  const welded = await firstOfWelded(mesh, positions, faces);
-  // Of welded vertices with equal values, only the first counts, so that no line ends at a seam.
-  const known = new Map<string, number>();
-  const first = Array.from(given, (value, v) => {
-    const name = `${welded[v]},${value}`;
-    if (!known.has(name)) known.set(name, v);
-    return known.get(name)!;
-  });
-  const corners = faces.map((vertex) => first[vertex]!);
+  const { corners, vertices, positions } = await fansOf(mesh);
+  const valueAt = (corner: number) => given[vertices[corners[corner]!]!]!;
   const ascending = [...new Set(wanted)].sort((a, b) => a - b);
-  const lines = levelLines(corners, (corner) => given[corners[corner]!]!, ascending).map((each) =>
+  const lines = levelLines(corners, valueAt, ascending).map((each) =>
     each.flatMap((line) => pathOf(line, positions, corners) ?? []),
   );
   return wanted.map((level) => lines[ascending.indexOf(level)]!);

@@ -1,6 +1,7 @@
 import type { PointLike, SurfacePoint } from '../types.js';
 import { add, at, cross, dot, scaled, subtract, type Vector } from '../vectors.js';
 import type { AnyMesh } from './energy.js';
+import { inFace } from './fans.js';
 
 /** The weight of a point beside a vertex, and its direction there, as an angle on the surface. */
 interface Pull {
@@ -101,12 +102,6 @@ async function fanAt(mesh: AnyMesh, from: PointLike): Promise<Fan | undefined> {
     };
   }
   return undefined;
-}
-
-/** A point of a face of the surface; other parts may have a face at its place. */
-export async function inFace(mesh: AnyMesh, point: PointLike): Promise<SurfacePoint> {
-  const [{ face, bary }] = (await mesh.expMap(point, [0, 0, 0])).points as [SurfacePoint];
-  return { face, bary: [...bary] };
 }
 
 /** Places in a face, as points of it. */

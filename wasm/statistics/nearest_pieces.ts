@@ -1,3 +1,5 @@
+import type { Fans } from './fans.js';
+
 /**
  * A division of a surface into parts, each nearest to one of several sites. Squared distances are
  * linear in each triangle. Sites are added one after the other. In a triangle, a new site
@@ -5,9 +7,9 @@
  * the rounding error.
  *
  * A corner of a piece is a vertex of the mesh or a point between two earlier corners. Such a point
- * arises if a site took one of the two earlier corners and not the other. The two earlier corners identify the new corner. So the pieces on both sides of an
- * edge share the new corner, even if they lie in two triangles, and no gap opens, whatever the
- * rounding.
+ * arises if a site took one of the two earlier corners and not the other. The two earlier corners
+ * identify the new corner. So the pieces on both sides of an edge share the new corner, even if they
+ * lie in two triangles, and no gap opens, whatever the rounding.
  */
 
 /** A convex part of a triangle, counterclockwise by its corners. */
@@ -26,9 +28,11 @@ const mostCorners = 2 ** 26;
 const rounding = 1e-12;
 
 export class NearestPieces {
-  /** x, y, z of each vertex. */
+  /** x, y, z of each vertex, in the numbers of `Fans`. */
   readonly positions: Float64Array;
-  /** The vertices of each triangle. Of welded vertices, only the first counts. */
+  /** 1 for each triangle that was turned over. */
+  readonly turnedOver: Uint8Array;
+  /** The vertices of each triangle. */
   readonly triangles: Int32Array;
   /**
    * The site to which a whole triangle belongs; -1 for no site, -2 for a triangle with pieces of
@@ -38,7 +42,7 @@ export class NearestPieces {
 
   /** The pieces of triangles that several sites share, or shared earlier. */
   readonly #pieces = new Map<number, Piece[]>();
-  readonly #first: Int32Array;
+  readonly #vertices: Int32Array;
   /**
    * The squared distance from each corner to its nearest site: first for vertices, then for the
    * other corners.
@@ -50,20 +54,24 @@ export class NearestPieces {
   readonly #between = new Map<number, number>();
   #sites = 0;
 
-  /** `faces` are those of `facesOf`, and `first` is that of `firstOfWelded`. */
-  constructor(positions: Float64Array, faces: Int32Array, first: Int32Array) {
+  constructor({ positions, corners, vertices, turnedOver }: Fans) {
     this.positions = positions;
-    const count = positions.length / 3;
-    this.#first = first;
-    this.triangles = faces.map((vertex) => first[vertex]!);
-    this.whole = new Int32Array(faces.length / 3).fill(-1);
+    this.turnedOver = turnedOver;
+    const count = vertices.length;
+    this.#vertices = vertices;
+    this.triangles = corners;
+    this.whole = new Int32Array(corners.length / 3).fill(-1);
     this.#least = new Array<number>(count).fill(Infinity);
     this.#site = new Int32Array(count).fill(-1);
   }
 
-  /** The nearest site of each vertex, or -1. */
+  /** The nearest site of each of the caller's vertices in one of its fans, or -1. */
   nearest(): Int32Array {
-    return this.#first.map((vertex) => this.#site[vertex]!);
+    const number = this.#vertices.filter((vertex, i) => vertex === i);
+    this.#vertices.forEach((vertex, i) => {
+      if (this.#least[i]! < this.#least[number[vertex]!]!) number[vertex] = i;
+    });
+    return number.map((i) => this.#site[i]!);
   }
 
   /** Adds the next site by its distances to the vertices. */

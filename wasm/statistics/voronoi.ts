@@ -3,8 +3,8 @@ import { KarcherError } from '../errors.js';
 import type { Region } from '../region.js';
 import type { DistanceOptions, PointLike } from '../types.js';
 import type { AnyMesh } from './energy.js';
+import { type Fans, fansOf, inFace } from './fans.js';
 import { NearestPieces } from './nearest_pieces.js';
-import { facesOf, firstOfWelded } from './surface.js';
 import { areasOf, bordersOf, regionOf, type VoronoiBorder } from './voronoi_cells.js';
 
 /** A site of a Voronoi diagram: a point, or several points of which the nearest counts. */
@@ -57,10 +57,11 @@ export async function voronoi(
   if (checkArray(sites, 'the sites').length === 0) {
     throw new KarcherError('tooFewPoints', 'a Voronoi diagram needs at least one site');
   }
-  const positions = await mesh.positions();
-  const faces = await facesOf(mesh, positions);
-  const found = new NearestPieces(positions, faces, await firstOfWelded(mesh, positions, faces));
-  for (const site of sites) found.add(await mesh.distance(site, options));
+  const fans = await fansOf(mesh);
+  const found = new NearestPieces(fans);
+  for (const site of sites) {
+    found.add(await distancesOf(mesh, fans, site, await mesh.distance(site, options)));
+  }
   return {
     nearest: found.nearest(),
     areas: areasOf(found, sites.length),
@@ -71,4 +72,26 @@ export async function voronoi(
       throw new KarcherError('badIndex', sentence);
     },
   };
+}
+
+/**
+ * The distances of a site to the vertices in all their fans. `given` has the distance of each vertex
+ * in its nearest fan; parts that touch there are not reached.
+ */
+async function distancesOf(
+  mesh: AnyMesh,
+  { vertices, parts }: Fans,
+  site: Site,
+  given: Float64Array,
+): Promise<Float64Array> {
+  if (!parts) return given;
+  const reached = new Set<number>();
+  for (const point of [site].flat() as PointLike[]) {
+    reached.add(parts.ofFaces[(await inFace(mesh, point)).face]!);
+  }
+  // A vertex of no face may be welded to another one.
+  reached.add(-1);
+  return Float64Array.from(vertices, (vertex, number) =>
+    reached.has(parts.ofNumbers[number]!) ? given[vertex]! : Number.NaN,
+  );
 }

@@ -14,7 +14,7 @@ export interface VoronoiBorder {
   path: Path;
 }
 
-/** A side of a piece in its triangle, counterclockwise. */
+/** A side of a piece in its triangle, with the piece to its left on the surface. */
 interface Side {
   face: number;
   site: number;
@@ -99,9 +99,9 @@ function sidesOf(pieces: NearestPieces): Map<number, Side[]> {
         const to = corners[(i + 1) % corners.length]!;
         if (from === to) return;
         const name = pieces.key(from, to);
-        const known = all.get(name);
-        if (known) known.push({ face, site, from, to });
-        else all.set(name, [{ face, site, from, to }]);
+        const [start, end] = pieces.turnedOver[face] ? [to, from] : [from, to];
+        if (!all.has(name)) all.set(name, []);
+        all.get(name)!.push({ face, site, from: start, to: end });
       });
     }
   }
@@ -115,14 +115,10 @@ function joined(pieces: NearestPieces, sides: readonly Side[]): Path[] {
   const at = new Map<number, Side[]>();
   const ends = new Map<number, number>();
   for (const side of sides) {
-    for (const [corner, turn] of [
-      [side.from, 1],
-      [side.to, -1],
-    ] as const) {
-      if (!at.has(corner)) at.set(corner, []);
-      at.get(corner)!.push(side);
-      ends.set(corner, (ends.get(corner) ?? 0) + turn);
-    }
+    if (!at.has(side.from)) at.set(side.from, []);
+    at.get(side.from)!.push(side);
+    ends.set(side.from, (ends.get(side.from) ?? 0) + 1);
+    ends.set(side.to, (ends.get(side.to) ?? 0) - 1);
   }
   const left = new Set(sides);
   const paths: Path[] = [];
@@ -131,11 +127,9 @@ function joined(pieces: NearestPieces, sides: readonly Side[]): Path[] {
     let corner = start.from;
     for (let side: Side | undefined = start; side; ) {
       left.delete(side);
-      // Triangles of a file may have opposite orientations. The line then follows a side backwards.
-      corner = side.from === corner ? side.to : side.from;
+      corner = side.to;
       points.push({ face: side.face, corner });
-      const next: Side[] = at.get(corner)!.filter((other) => left.has(other));
-      side = next.find(({ from }) => from === corner) ?? next[0];
+      side = at.get(corner)?.find((other) => left.has(other));
     }
     const path = pathOf(pieces, points);
     if (path.length > 0) paths.push(new Path(path));
