@@ -303,7 +303,8 @@ export class Mesh extends MeshPlaces {
 
   /**
    * Geodesic distances from a point, or from the nearest of several points, to the vertices, in the
-   * caller's order; NaN at dropped and unreachable vertices. They are exact by default.
+   * caller's order; NaN at dropped and unreachable vertices. A vertex where parts touch has the
+   * distance of the nearest part. They are exact by default.
    *
    * Exact distances have two limits: the longest edge is at most 1e12 times the shortest, and a
    * field takes at most 10,000 windows for each face, where 10 to 100 are usual. Beyond them the
