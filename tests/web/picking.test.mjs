@@ -110,7 +110,10 @@ describe('on the stage', () => {
   });
 
   /** Open space, for lines and triangles that nothing hides. */
-  const open = { frame: { scale: 1 }, depth: () => Infinity, toScene: (line) => line };
+  const open = {
+    ...{ frame: { scale: 1 }, depth: () => Infinity, toScene: (line) => line },
+    inScene: (place) => new Vector3(...place),
+  };
   const near = 0.01;
 
   /** The parts of a line of these places on the stage, with a margin in pixels. */
@@ -215,6 +218,13 @@ describe('on the stage', () => {
       lost.match(/<path[^>]*>/g).map((path) => path.includes('stroke-dasharray')),
       [false, true],
     );
+    // Half as far, the dashes of a lost line are twice as long.
+    const [far, near] = [4, 2].map((away) => {
+      const line = [-0.1, 0, 0.1].map((x) => [x, 0, -away]);
+      const text = svgOf(line, undefined, [], [Uint8Array.of(0, 1, 1)]);
+      return Number(/stroke-dasharray="([\d.]+) /.exec(text)[1]);
+    });
+    assert.ok(Math.abs(near - 2 * far) < 0.02, `${near}, ${far}`);
   });
 
   test('a painted triangle that passes the camera is painted in front of it only', () => {

@@ -1,4 +1,5 @@
 import { type DrawnLine, svgOf } from '../../export/svg';
+import { fineDash } from '../../viewer/fat_line';
 import type { Vantage } from '../../viewer/vantage';
 import { lineStyles } from '../figures/lines';
 import type { LineId, LineResult, Vector } from '../figures/types';
@@ -41,10 +42,11 @@ function drawnLines(
   vantage: Vantage,
 ): DrawnLine[] {
   const { width } = lineStyles[id];
-  return polylines.flatMap((polyline, k) =>
-    [...vantage.seenParts(polyline, width / 2)].map(({ segments, ...part }) => {
+  return polylines.flatMap((polyline, k) => {
+    const dashes = vantage.dashesOf(fineDash, polyline);
+    return [...vantage.seenParts(polyline, width / 2)].map(({ segments, ...part }) => {
       const has = (segment: number) => status[k]?.[segments[segment]! + 1] === 1;
-      return { ...part, color, width, lost: { color, dashes: '4 5', has } };
-    }),
-  );
+      return { ...part, color, width, lost: { color, dashes, has } };
+    });
+  });
 }
