@@ -147,11 +147,16 @@ export class Opening {
     }
   }
 
-  /** Keeps a surface's file in this browser; reports if a reload will lose it. */
+  /** Keeps a surface's file in this browser; reports files that a reload will lose. */
   async #keep(key: string, file: File): Promise<void> {
     this.#file = { key, file };
-    if (await keepFile(key, file)) return;
-    showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
+    const removed = await keepFile(key, file);
+    if (!removed) {
+      showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
+    }
+    for (const one of removed ?? []) {
+      showNote(`${meshLabel(one)} is no longer kept by this browser, which needs room for others.`);
+    }
   }
 
   /**

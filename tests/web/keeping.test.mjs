@@ -162,6 +162,50 @@ describe('no work is lost', () => {
     await tab.close();
   });
 
+  const named = (name) => `# ${name}\n${tetrahedron}`;
+  /** Drops a tetrahedron of its own under a name, and waits until the browser has stored it. */
+  async function dropped(tab, name) {
+    await tab.drop(name, named(name));
+    await tab.page.waitForFunction((end) => window.karcherPage.state().mesh.endsWith(end), name);
+    const { mesh } = await tab.state();
+    await isKept(tab, mesh);
+    return mesh;
+  }
+  /** Opens a file by its link, as the browser's Back does. */
+  async function reopened(tab, mesh) {
+    await tab.page.evaluate((key) => {
+      location.hash = `mesh=${key}`;
+    }, mesh);
+    await tab.page.waitForFunction((key) => window.karcherPage.state().mesh === key, mesh);
+    await tab.settled();
+  }
+  const parts = ['part_1.obj', 'part_2.obj', 'part_3.obj', 'part_4.obj', 'part_5.obj'];
+
+  test('small files are kept, however many there are', async () => {
+    const tab = await Tab.open(browser);
+    const meshes = [];
+    for (const name of ['whole.obj', ...parts]) meshes.push(await dropped(tab, name));
+    for (const mesh of meshes) await reopened(tab, mesh);
+    await tab.close();
+  });
+
+  test('with little room, files that were opened last are kept, and the page names the others', async () => {
+    const tab = await Tab.open(browser);
+    // There is room for three files.
+    await tab.page.evaluate((size) => {
+      navigator.storage.estimate = async () => ({ quota: 2 * 3 * size, usage: 0 });
+    }, named(parts[0]).length);
+    const whole = await dropped(tab, 'whole.obj');
+    for (const [i, name] of parts.entries()) {
+      const removed = tab.page.getByText(`${parts[i - 2]} is no longer kept by this browser`);
+      const told = i < 2 || removed.waitFor();
+      await dropped(tab, name);
+      await told;
+      await reopened(tab, whole);
+    }
+    await tab.close();
+  });
+
   test('a failed engine is started again, and the curve can still be edited', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);

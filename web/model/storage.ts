@@ -5,7 +5,6 @@
  */
 const prefix = 'karcher.';
 const longestFile = 128 * 1024 * 1024;
-const filesKept = 4;
 
 let heardOfKeeping: (kept: boolean) => void = () => {};
 
@@ -35,6 +34,14 @@ function find(storage: () => Storage, name: string): string | null {
   }
 }
 
+function forget(storage: () => Storage, name: string): void {
+  try {
+    storage().removeItem(prefix + name);
+  } catch {
+    // A browser that forbids storage has stored nothing.
+  }
+}
+
 /**
  * Keeps values by their names as long as there is room. Returns the names of values that did not
  * fit.
@@ -55,11 +62,7 @@ export const recall = (name: string) => find(() => localStorage, name);
  */
 export function rememberInTab(name: string, value: string): boolean {
   if (keep(() => sessionStorage, name, value)) return true;
-  try {
-    sessionStorage.removeItem(prefix + name);
-  } catch {
-    // A browser that forbids storage has stored nothing.
-  }
+  forget(() => sessionStorage, name);
   return false;
 }
 export const recallInTab = (name: string) => find(() => sessionStorage, name);
@@ -103,36 +106,67 @@ async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
 /** A stored file. Earlier versions stored bytes, which the page still reads. */
 type StoredFile = ({ content: Blob } | { bytes: Uint8Array<ArrayBuffer> }) & { opened: number };
 
+const contentOf = (file: StoredFile) => ('content' in file ? file.content : new Blob([file.bytes]));
+
+/** The name of the time at which the page last opened a file that it had stored before. */
+const openedAgain = (key: string) => `opened.${key}`;
+const lastOpened = ({ opened }: StoredFile, key: string) =>
+  Math.max(opened, Number(recall(openedAgain(key))));
+
+/** The largest total of the kept files in bytes, which is less where the browser has little room. */
+async function roomForFiles(): Promise<number> {
+  // On plain http the browser does not say.
+  const { quota = Number.POSITIVE_INFINITY } = (await navigator.storage?.estimate()) ?? {};
+  return Math.min(4 * longestFile, quota / 2);
+}
+
 /**
- * Keeps a file, and removes the oldest one if there are too many; false if the file is too long, or
- * if the browser keeps no files.
+ * Keeps a file, and removes those that were opened longest ago where there is no room for all.
+ * Returns the keys of the removed files; null if the file is too long, or if the browser keeps no
+ * files.
  */
-export async function keepFile(key: string, content: Blob): Promise<boolean> {
-  if (content.size > longestFile) return false;
+export async function keepFile(key: string, content: Blob): Promise<string[] | null> {
+  if (content.size > longestFile) return null;
   try {
+    const room = await roomForFiles();
     const files = await openFiles('readwrite');
     const kept = completed(files.transaction);
-    await request(files.put({ content, opened: Date.now() } satisfies StoredFile, key));
-    const keys = await request(files.getAllKeys());
-    if (keys.length > filesKept) {
-      const stored: StoredFile[] = await request(files.getAll());
-      const oldest = stored.reduce((a, b, i) => (b.opened < stored[a]!.opened ? i : a), 0);
-      await request(files.delete(keys[oldest]!));
+    const keys = (await request(files.getAllKeys())) as string[];
+    const stored: StoredFile[] = await request(files.getAll());
+    const others = stored
+      .map((file, i) => ({
+        key: keys[i]!,
+        size: contentOf(file).size,
+        at: lastOpened(file, keys[i]!),
+      }))
+      .filter((other) => other.key !== key)
+      .toSorted((a, b) => b.at - a.at);
+    let bytes = content.size;
+    const removed: string[] = [];
+    for (const other of others) {
+      bytes += other.size;
+      if (bytes > room) removed.push(other.key);
     }
+    for (const one of removed) files.delete(one);
+    files.put({ content, opened: Date.now() } satisfies StoredFile, key);
     await kept;
-    return true;
+    for (const one of removed) forget(() => localStorage, openedAgain(one));
+    return removed;
   } catch {
     // The storage is full, or the browser forbids it.
-    return false;
+    return null;
   }
 }
 
+/** A kept file, which counts as opened now; null if the browser does not have it. */
 export async function keptFile(key: string): Promise<Blob | null> {
   try {
     const files = await openFiles('readonly');
     const file: StoredFile | undefined = await answered(request(files.get(key)));
     if (!file) return null;
-    return 'content' in file ? file.content : new Blob([file.bytes]);
+    // To store the time with the file, the browser would have to write the whole file again.
+    keep(() => localStorage, openedAgain(key), `${Date.now()}`);
+    return contentOf(file);
   } catch {
     return null;
   }
