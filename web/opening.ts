@@ -495,7 +495,5 @@ function withResolvers<Value>() {
   return { promise, resolve };
 }
 
-/** The page's names for the engine's stages of long work. */
-const stageNames: Record<string, string> = { graph: 'Building the graph' };
-
-const stageName = (stage: string) => stageNames[stage] ?? 'Preparing';
+/** The page's name for a stage of the engine's long work. */
+const stageName = (stage: string) => (stage === 'graph' ? 'Building the graph' : 'Preparing');
