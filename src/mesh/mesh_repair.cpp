@@ -192,9 +192,11 @@ class MeshRepair {
     if (entry == kGone) {
       entry = -1 - numbering.images.count();
       FaceImage image;
-      image.corners = soup_.triangles[t];
       for (int k = 0; k < 3; ++k) {
-        image.places[static_cast<size_t>(k)] = soup_.positions[image.corners[k]];
+        const int corner = soup_.triangles[t][k];
+        const int v = numbering.engineVertex[corner];
+        image.corners[k] = v < 0 ? corner : numbering.inputVertex[v];
+        image.places[static_cast<size_t>(k)] = soup_.positions[corner];
       }
       numbering.images.push_back(std::move(image));
     }

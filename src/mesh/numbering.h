@@ -17,7 +17,7 @@ struct FacePiece {
 
 /// An input triangle that did not become a single face of the engine.
 struct FaceImage {
-  Triangle corners;            ///< the input vertices
+  Triangle corners;            ///< the input vertices, the first of several welded ones
   std::array<Vec3, 3> places;  ///< the places of the corners
   Array<FacePiece> pieces;     ///< the pieces; empty for an omitted triangle
   Array<int> beside;           ///< the engine's faces at its corners, for a triangle without pieces
@@ -40,8 +40,8 @@ struct Numbering {
 
   int inputFaceCount() const { return engineFace.count(); }
   bool isTurnedOver(int t) const { return !turnedOver.empty() && turnedOver[t] != 0; }
-  /// The input vertices at the corners of an input triangle. If the triangle is a whole face of the
-  /// engine, the first of several welded vertices stands for all of them.
+  /// The input vertices at the corners of an input triangle. The first of several welded vertices
+  /// stands for all of them.
   Triangle inputCorners(const TriangleMesh& mesh, int inputFace) const;
 };
 

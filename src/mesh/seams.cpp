@@ -1,5 +1,6 @@
 #include "mesh/seams.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -136,15 +137,17 @@ class Seams {
         gone[f] = 1;
         for (int k = 0; k < 3; ++k) {
           const int other = corner[static_cast<size_t>(k)];
-          repairs_.welded +=
-              target_.unite(faces_.corners[f][k], faces_.corners[kept][other]) ? 1 : 0;
+          target_.unite(faces_.corners[f][k], faces_.corners[kept][other]);
         }
         repairs_.duplicates.push_back({faces_.source[f], faces_.source[kept], corner});
       }
     }
     if (gone.empty()) return false;
     faces_.leaveOut([&](int f) { return gone[f] != 0; });
+    // A vertex of omitted faces alone is not welded, but goes with its face.
+    const int before = countUsed();
     faces_.renumber(target_.names());
+    repairs_.welded += before - countUsed();
     return true;
   }
 
@@ -164,6 +167,12 @@ class Seams {
       for (const int v : t) ++uses[v];
     }
     return uses;
+  }
+
+  /// The number of vertices that faces use.
+  int countUsed() const {
+    const Array<int> uses = countUses();
+    return uses.count() - static_cast<int>(std::count(uses.begin(), uses.end(), 0));
   }
 
   bool hangsOnNone(int f, const Array<int>& uses) const {

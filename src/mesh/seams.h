@@ -26,7 +26,8 @@ struct DuplicateFace {
 };
 
 struct SeamRepairs {
-  int welded = 0;     ///< the number of vertices that were welded to another vertex
+  /// the number of vertices that were welded to another vertex, among those of the remaining faces
+  int welded = 0;
   int keptApart = 0;  ///< the number of vertices not welded to another at their place
   Array<DuplicateFace> duplicates;
 };

@@ -118,6 +118,24 @@ TEST(ImportMesh, WeldsTheSeamsOfUnweldedTriangles) {
   EXPECT_EQ(imported.repairs[0].count, soup.positions.count() - sphere.positions.count());
 }
 
+TEST(ImportMesh, WeldsNoVertexOfARepeatedFaceAlone) {
+  // two triangles of a square, and the first of them again, each with vertices of its own
+  const TriangleSoup soup =
+      exploded({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}});
+  const ImportedMesh apart = importMesh(soup, {.repair = true, .weld = 0});
+  EXPECT_EQ(apart.mesh.vertexCount(), 6);
+  ASSERT_EQ(apart.repairs.count(), 2);
+  EXPECT_EQ(apart.repairs[0].kind, Repair::Kind::kKeptApart);
+  EXPECT_EQ(apart.repairs[1].kind, Repair::Kind::kDuplicate);
+  const ImportedMesh joined = importMesh(soup);
+  ASSERT_EQ(joined.repairs.count(), 2);
+  EXPECT_EQ(joined.repairs[0].kind, Repair::Kind::kWelded);
+  EXPECT_EQ(joined.repairs[0].count, 2);
+  for (const ImportedMesh& imported : {apart, joined}) {
+    EXPECT_EQ(imported.numbering.inputCorners(imported.mesh, 2), Triangle(0, 1, 2));
+  }
+}
+
 TEST(ImportMesh, TreatsMinusZeroAsZero) {
   // 2---3 5    two triangles that meet along x = 0
   //  \ 0|4 \     0, 2, 3: the left one; 1, 4, 5 the right one

@@ -178,6 +178,46 @@ test('seams that were not welded are coinciding boundaries', async () => {
   assert.equal((await checkUp(mesh)).nearBoundaries, null);
 });
 
+test('only vertices that the import welded count as one', async () => {
+  const edges = async (positions, triangles, options) => {
+    const mesh = karcher.meshFromArrays(positions, triangles, options);
+    const kinds = mesh.info.repairs.map(({ kind, count }) => `${count} ${kind}`);
+    return [(await checkUp(mesh)).boundary.length / 6, kinds.join()];
+  };
+  // A square of two triangles apart, and the first of them again.
+  const square = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0];
+  const again = [...square, ...square.slice(0, 9)];
+  const apart = [0, 1, 2, 3, 4, 5];
+  for (const more of [
+    [6, 7, 8],
+    [7, 8, 6],
+    [6, 7, 2],
+    [0, 1, 2],
+  ]) {
+    const unused = 9 - new Set([...apart, ...more]).size;
+    const found = await edges(again, [...apart, ...more], { weld: 0 });
+    const dropped = unused > 0 ? `,${unused} dropped` : '';
+    assert.deepEqual(found, [6, `2 keptApart,1 duplicate${dropped}`], `${more}`);
+    const welded = await edges(again, [...apart, ...more]);
+    assert.deepEqual(welded, [4, `2 welded,1 duplicate${dropped}`], `${more}`);
+  }
+  // The copy holds a further triangle, which the import thus welds to the first one.
+  const held = [...again, 2, 0, 0];
+  assert.deepEqual(await edges(held, [...apart, 6, 7, 8, 7, 9, 8], { weld: 0 }), [
+    7,
+    '2 welded,2 keptApart,1 duplicate',
+  ]);
+  // Three triangles at one edge stay apart, beside a seam that is welded.
+  const fan = [1, 2, 3].flatMap((k) => [5, 0, 0, 6, 0, 0, 5, Math.cos(2 * k), Math.sin(2 * k)]);
+  assert.deepEqual(
+    await edges(
+      [...square, ...fan],
+      Array.from({ length: 15 }, (_, i) => i),
+    ),
+    [4 + 9, '2 welded,4 keptApart'],
+  );
+});
+
 test('corners that nearly touch are offered no weld, since it would join nothing', async () => {
   for (const gap of [1e-5, 1e-4]) {
     const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, -gap, -gap, 0, -1, 0, 0, 0, -1, 0];

@@ -1,40 +1,30 @@
 import { batchMask, type Slices } from '../slices.js';
 import { facesOnOthers } from './doubled.js';
 
-/** The boundary: the edges that belong to only one face. */
-export interface Boundary {
-  /** The numbers of the two ends of each edge, one edge after the other. */
-  ends: Int32Array;
-  /** A vertex for each number. Other vertices may have the same number. */
-  vertexAt: Int32Array;
-}
-
 /**
- * Finds the boundary. `numbers` has a number for each corner of a triangle; vertices that count as
- * one have the same number. More than two faces at an edge stay together in pairs. An odd number of
- * faces leaves one face over, and the edge is then on the boundary. With `doubled`, the search
- * omits faces that lie on others, as the engine does.
+ * Finds the boundary: the vertices at the two ends of each edge that belongs to only one face.
+ * `triangles` are those of `Mesh.triangles`, which name one of several welded vertices. More than
+ * two faces at an edge stay together in pairs. An odd number of faces leaves one face over, and the
+ * edge is then on the boundary. With `doubled`, the search omits faces that lie on others, as the
+ * engine does.
  */
 export async function boundaryEdges(
   triangles: Int32Array,
-  numbers: Int32Array,
   doubled: boolean,
   slices: Slices,
-): Promise<Boundary> {
-  const count = numbers.reduce((most, number) => Math.max(most, number), 0) + 1;
-  const onOthers = doubled ? await facesOnOthers(triangles, numbers, count, slices) : null;
-  const vertexAt = new Int32Array(count);
+): Promise<Int32Array> {
+  const count = triangles.reduce((most, vertex) => Math.max(most, vertex), 0) + 1;
+  const onOthers = doubled ? await facesOnOthers(triangles, count, slices) : null;
   // Each vertex has a list of its neighbours with larger numbers. In `others`, these lists follow
   // one another.
   const starts = new Int32Array(count + 1);
-  const others = new Int32Array(numbers.length);
+  const others = new Int32Array(triangles.length);
   const forEachEdge = async (done: number, visit: (low: number, high: number) => void) => {
-    for (let corner = 0; corner < numbers.length; corner++) {
+    for (let corner = 0; corner < triangles.length; corner++) {
       if ((corner & batchMask) === 0 && slices.over) {
-        await slices.rest(done + (0.08 * corner) / numbers.length);
+        await slices.rest(done + (0.08 * corner) / triangles.length);
       }
-      const [i, j] = edgeOf(numbers, corner);
-      vertexAt[i] = triangles[corner]!;
+      const [i, j] = edgeOf(triangles, corner);
       if (i === j || onOthers?.same[Math.floor(corner / 3)]) continue;
       visit(Math.min(i, j), Math.max(i, j));
     }
@@ -62,7 +52,7 @@ export async function boundaryEdges(
   /** The edges at which an odd number of the omitted faces meet. */
   const changed = new Set<string>();
   for (const face of onOthers?.turned ?? []) {
-    const edges = [0, 1, 2].map((k) => edgeOf(numbers, 3 * face + k).sort((i, j) => i - j));
+    const edges = [0, 1, 2].map((k) => edgeOf(triangles, 3 * face + k).sort((i, j) => i - j));
     // Two faces that lie on each other are a closed surface, unless a further face has one of their
     // edges.
     if (!edges.some(([low, high]) => facesAt(low!, high!) > 2)) continue;
@@ -79,10 +69,10 @@ export async function boundaryEdges(
       if (isOdd !== (changed.size > 0 && changed.has(`${[i, other]}`))) ends.push(i, other);
     }
   }
-  return { ends: Int32Array.from(ends), vertexAt };
+  return Int32Array.from(ends);
 }
 
-/** The numbers of the ends of the edge that starts at a corner. */
-function edgeOf(numbers: Int32Array, corner: number): [number, number] {
-  return [numbers[corner]!, numbers[corner % 3 === 2 ? corner - 2 : corner + 1]!];
+/** The vertices at the ends of the edge that starts at a corner. */
+function edgeOf(triangles: Int32Array, corner: number): [number, number] {
+  return [triangles[corner]!, triangles[corner % 3 === 2 ? corner - 2 : corner + 1]!];
 }

@@ -1,9 +1,8 @@
 import { checkLongWork } from '../options.js';
 import { Slices } from '../slices.js';
-import type { LongWorkOptions, MeshInfo } from '../types.js';
-import { type Boundary, boundaryEdges } from './boundary.js';
+import type { LongWorkOptions, MeshInfo, RepairKind } from '../types.js';
+import { boundaryEdges } from './boundary.js';
 import { type NearBoundaries, nearBoundaries } from './near_boundaries.js';
-import { numbersOf } from './numbers.js';
 import { shapesOf } from './shapes.js';
 
 export type { NearBoundaries } from './near_boundaries.js';
@@ -52,24 +51,28 @@ export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Pr
   const slices = new Slices(work, 'checking');
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
   const { info } = mesh;
-  const numbers = await numbersOf(positions, triangles, info, slices);
-  const doubled = info.repairs.some(({ kind }) => kind === 'duplicate');
-  const { shortest, ...shapes } = await shapesOf(positions, triangles, numbers, slices);
+  const isRepaired = (wanted: RepairKind) => info.repairs.some(({ kind }) => kind === wanted);
+  const { shortest, ...shapes } = await shapesOf(positions, triangles, slices);
   const edges =
     info.boundaryLoops === 0
-      ? { ends: new Int32Array(), vertexAt: new Int32Array() }
-      : await boundaryEdges(triangles, numbers, doubled, slices);
-  const { diagonal } = info;
-  const near = await nearBoundaries({ positions, boundary: edges, shortest, diagonal }, slices);
+      ? new Int32Array()
+      : await boundaryEdges(triangles, isRepaired('duplicate'), slices);
+  const near = await nearBoundaries(
+    {
+      ...{ positions, boundary: edges, shortest },
+      ...{ diagonal: info.diagonal, isWelded: isRepaired('welded') },
+    },
+    slices,
+  );
   const boundary = placesOf(positions, edges);
   const found = { ...shapes, boundary, nearBoundaries: near };
   return { ...found, expected: expectedOf(info, found) };
 }
 
-function placesOf(positions: Float64Array, { ends, vertexAt }: Boundary): Float64Array {
+function placesOf(positions: Float64Array, ends: Int32Array): Float64Array {
   const places = new Float64Array(3 * ends.length);
   for (let k = 0; k < places.length; k++) {
-    places[k] = positions[3 * vertexAt[ends[Math.floor(k / 3)]!]! + (k % 3)]!;
+    places[k] = positions[3 * ends[Math.floor(k / 3)]! + (k % 3)]!;
   }
   return places;
 }

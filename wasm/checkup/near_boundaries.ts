@@ -1,5 +1,4 @@
 import { batchMask, type Slices } from '../slices.js';
-import type { Boundary } from './boundary.js';
 
 /** Boundaries that nearly touch, and the `weld` that would join them. */
 export interface NearBoundaries {
@@ -28,15 +27,16 @@ const leastWeld = 1e-9;
  */
 const mostLevels = 39;
 
-/**
- * The data of the search: the positions of vertices, the boundary, the length of the shortest edge
- * at each number of `Boundary`, and the diagonal.
- */
+/** The data of the search. */
 interface Places {
   positions: Float64Array;
-  boundary: Boundary;
+  /** The ends of the edges on the boundary. */
+  boundary: Int32Array;
+  /** The length of the shortest edge at each vertex. */
   shortest: Float64Array;
   diagonal: number;
+  /** Whether the import welded, so that no weld joins what is apart at one place. */
+  isWelded: boolean;
 }
 
 /**
@@ -46,18 +46,17 @@ interface Places {
  * weld vertices where parts only touch.
  */
 export async function nearBoundaries(
-  { positions, boundary, shortest, diagonal }: Places,
+  { positions, boundary, shortest, diagonal, isWelded }: Places,
   slices: Slices,
 ): Promise<NearBoundaries | null> {
-  const { ends, vertexAt } = boundary;
   const reach = nearness * diagonal;
-  const vertices = Int32Array.from(new Set(ends));
-  const at = (number: number, axis: number) => positions[3 * vertexAt[number]! + axis]!;
+  const vertices = Int32Array.from(new Set(boundary));
+  const at = (vertex: number, axis: number) => positions[3 * vertex + axis]!;
   const distance = (i: number, j: number) =>
     Math.sqrt((at(i, 0) - at(j, 0)) ** 2 + (at(i, 1) - at(j, 1)) ** 2 + (at(i, 2) - at(j, 2)) ** 2);
-  const limitOf = (number: number) => Math.min(reach, partOfEdge * shortest[number]!);
+  const limitOf = (vertex: number) => Math.min(reach, partOfEdge * shortest[vertex]!);
   /** A coordinate relative to a vertex, so that cells far from the origin have exact numbers. */
-  const fromFirst = (number: number, axis: number) => at(number, axis) - at(vertices[0]!, axis);
+  const fromFirst = (vertex: number, axis: number) => at(vertex, axis) - at(vertices[0]!, axis);
   // A cell is one to two times as wide as the limits of its vertices, so that few vertices share a
   // cell without being near each other.
   const levelOf = (limit: number) =>
@@ -65,39 +64,40 @@ export async function nearBoundaries(
   const first = new Map<number, number>();
   const next = new Int32Array(vertices.length).fill(-1);
   const levels = new Set<number>();
-  for (const [k, number] of vertices.entries()) {
+  for (const [k, vertex] of vertices.entries()) {
     if ((k & batchMask) === 0 && slices.over) await slices.rest(0.9 + (0.03 * k) / vertices.length);
-    const level = levelOf(limitOf(number));
+    const level = levelOf(limitOf(vertex));
     levels.add(level);
     const width = reach / 2 ** level;
     const cell = cellKey(
       level,
-      ...([0, 1, 2].map((axis) => Math.floor(fromFirst(number, axis) / width)) as Cell),
+      ...([0, 1, 2].map((axis) => Math.floor(fromFirst(vertex, axis) / width)) as Cell),
     );
     next[k] = first.get(cell) ?? -1;
     first.set(cell, k);
   }
-  const neighbours = await neighboursOf(ends, slices);
+  const neighbours = await neighboursOf(boundary, slices);
   const areClose = (i: number, j: number) => distance(i, j) <= Math.min(limitOf(i), limitOf(j));
   const isNear = (i: number, j: number) =>
     areClose(i, j) &&
+    !(isWelded && distance(i, j) === 0) &&
     neighbours.get(i)!.some((a) => neighbours.get(j)!.some((b) => areClose(a, b)));
 
   /** The first other vertex that is near this one, or -1. */
-  const nearTo = (number: number): number => {
-    const limit = limitOf(number);
+  const nearTo = (vertex: number): number => {
+    const limit = limitOf(vertex);
     for (const level of levels) {
       const width = reach / 2 ** level;
       const most = Math.min(limit, width);
       const [low, high] = [-most, most].map((by) =>
-        [0, 1, 2].map((axis) => Math.floor((fromFirst(number, axis) + by) / width)),
+        [0, 1, 2].map((axis) => Math.floor((fromFirst(vertex, axis) + by) / width)),
       ) as [Cell, Cell];
       for (let x = low[0]; x <= high[0]; x++) {
         for (let y = low[1]; y <= high[1]; y++) {
           for (let z = low[2]; z <= high[2]; z++) {
             for (let k = first.get(cellKey(level, x, y, z)) ?? -1; k >= 0; k = next[k]!) {
               const other = vertices[k]!;
-              if (other !== number && isNear(number, other)) return other;
+              if (other !== vertex && isNear(vertex, other)) return other;
             }
           }
         }
@@ -108,12 +108,12 @@ export async function nearBoundaries(
 
   const places: number[] = [];
   let farthest = 0;
-  for (const [k, number] of vertices.entries()) {
+  for (const [k, vertex] of vertices.entries()) {
     if ((k & 0xff) === 0 && slices.over) await slices.rest(0.95 + (0.05 * k) / vertices.length);
-    const other = nearTo(number);
+    const other = nearTo(vertex);
     if (other < 0) continue;
-    places.push(at(number, 0), at(number, 1), at(number, 2));
-    farthest = Math.max(farthest, distance(number, other));
+    places.push(at(vertex, 0), at(vertex, 1), at(vertex, 2));
+    farthest = Math.max(farthest, distance(vertex, other));
   }
   if (places.length === 0) return null;
   const weld = roundedUp(Math.max(farthest, leastWeld * diagonal));

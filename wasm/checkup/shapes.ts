@@ -19,26 +19,21 @@ interface Shapes {
   largestAngle: number;
   needles: Int32Array;
   caps: Int32Array;
-  /**
-   * The length of the shortest edge at the vertices of each number. Edges of faces without height
-   * count, too.
-   */
+  /** The length of the shortest edge at each vertex. Edges of faces without height count, too. */
   shortest: Float64Array;
 }
 
 /**
- * The lengths and angles of triangles. `numbers` has a number for each corner; vertices that count
- * as one have the same number. The result omits triangles with one number at two corners, and
- * triangles whose corners lie on a line by the engine's rule.
+ * The lengths and angles of triangles. The result omits triangles with one vertex at two corners,
+ * and triangles whose corners lie on a line by the engine's rule.
  */
 export async function shapesOf(
   positions: Float64Array,
   triangles: Int32Array,
-  numbers: Int32Array,
   slices: Slices,
 ): Promise<Shapes> {
   const shortestAt = new Float64Array(
-    numbers.reduce((most, number) => Math.max(most, number), 0) + 1,
+    triangles.reduce((most, vertex) => Math.max(most, vertex), 0) + 1,
   ).fill(Infinity);
   const needles: number[] = [];
   const caps: number[] = [];
@@ -54,18 +49,17 @@ export async function shapesOf(
   };
   for (let at = 0; at < triangles.length; at += 3) {
     if (((at / 3) & batchMask) === 0 && slices.over) {
-      await slices.rest(0.4 + (0.3 * at) / triangles.length);
+      await slices.rest((0.7 * at) / triangles.length);
     }
-    const [i, j, k] = [numbers[at]!, numbers[at + 1]!, numbers[at + 2]!];
-    if (i === j || j === k || k === i) continue;
     const [p, q, r] = [triangles[at]!, triangles[at + 1]!, triangles[at + 2]!];
+    if (p === q || q === r || r === p) continue;
     const [a, b, c] = [length(q, r), length(r, p), length(p, q)];
-    for (const [number, one, other] of [
-      [i, b, c] as const,
-      [j, c, a] as const,
-      [k, a, b] as const,
+    for (const [vertex, one, other] of [
+      [p, b, c] as const,
+      [q, c, a] as const,
+      [r, a, b] as const,
     ]) {
-      shortestAt[number] = Math.min(shortestAt[number]!, one, other);
+      shortestAt[vertex] = Math.min(shortestAt[vertex]!, one, other);
     }
     const longest = Math.max(a, b, c);
     const shortest = Math.min(a, b, c);

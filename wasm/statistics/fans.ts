@@ -1,7 +1,7 @@
 import type { PointLike, SurfacePoint } from '../types.js';
 import { at, cross, distance, dot, subtract, type Vector } from '../vectors.js';
 import type { AnyMesh } from './energy.js';
-import { facesOf, firstOfWelded } from './surface.js';
+import { facesOf } from './surface.js';
 
 /**
  * The caller's triangles as faces of the surface. Where several fans of faces meet at a vertex,
@@ -24,9 +24,7 @@ export interface Fans {
 /** The fans of a mesh. */
 export async function fansOf(mesh: AnyMesh): Promise<Fans> {
   const given = await mesh.positions();
-  const faces = await facesOf(mesh, given);
-  const first = await firstOfWelded(mesh, given, faces);
-  const corners = faces.map((vertex) => first[vertex]!);
+  const corners = await facesOf(mesh, given);
   const turnedOver = new Uint8Array(corners.length / 3);
   const vertices = Array.from({ length: given.length / 3 }, (_, vertex) => vertex);
   const isDivided = mesh.info.repairs.some(({ kind }) =>

@@ -37,44 +37,6 @@ export async function facesOf(mesh: AnyMesh, positions: Float64Array): Promise<I
   return triangles;
 }
 
-/**
- * For each vertex of a face, the first of the vertices that are welded to it. Faces name this
- * vertex already, except those that a repair has cut. `faces` are those of `facesOf`.
- */
-export async function firstOfWelded(
-  mesh: AnyMesh,
-  positions: Float64Array,
-  faces: Int32Array,
-): Promise<Int32Array> {
-  const places = placesOf(positions);
-  // Faces with two corners at one place are none of the surface.
-  const used = new Uint8Array(places.length);
-  for (let i = 0; i < faces.length; i += 3) {
-    const [u, v, w] = [faces[i]!, faces[i + 1]!, faces[i + 2]!];
-    if (differ([places[u]!, places[v]!, places[w]!])) used[u] = used[v] = used[w] = 1;
-  }
-  const count = new Int32Array(places.length);
-  places.forEach((place, v) => {
-    count[place]! += used[v]!;
-  });
-  const first = places.map((_, v) => v);
-  const sharing = Array.from(first.filter((v) => used[v] === 1 && count[places[v]!]! > 1));
-  const names = isRepaired(mesh, 'keptApart')
-    ? await idsOf(
-        mesh,
-        sharing.map((vertex) => ({ vertex })),
-      )
-    : sharing.map((v) => places[v]!);
-  const known = new Map<number, number>();
-  sharing.forEach((v, i) => {
-    const name = names[i]!;
-    if (name < 0) return;
-    if (!known.has(name)) known.set(name, v);
-    first[v] = known.get(name)!;
-  });
-  return first;
-}
-
 type Three = [number, number, number];
 
 const differ = ([a, b, c]: Three) => a !== b && b !== c && c !== a;
@@ -93,18 +55,16 @@ function placesOf(positions: Float64Array): Int32Array {
 }
 
 /**
- * A number for each point. Of several points at one place, those with the same number are one point
- * of the surface. The number is -1 for points that the surface does not have.
- *
- * The number is that of the finer mesh's face that has the point. A vertex has one such face of its
- * own, whichever faces of the caller meet there.
+ * A number for each point of a face. Of several points at one place, those with the same number are
+ * one point of the surface. The number is -1 for points that the surface does not have. It is that
+ * of the finer mesh's face that has the point.
  */
 async function idsOf(mesh: AnyMesh, points: readonly PointLike[]): Promise<number[]> {
   try {
     return (await mesh.carried(points, 1)).map(({ face }) => face);
   } catch (error) {
     if (!(error instanceof KarcherError) || error.code !== 'badIndex') throw error;
-    // One of the points is a vertex that was dropped.
+    // One of the points lies in a face that was left out.
     if (points.length === 1) return [-1];
     const middle = Math.floor(points.length / 2);
     const low = await idsOf(mesh, points.slice(0, middle));
