@@ -6,6 +6,7 @@ import type {
   CutPart,
   FileMarks,
   FillRule,
+  Frame,
   MeanWeights,
   MeshInfo,
   Method,
@@ -82,6 +83,14 @@ export interface EngineMapped {
   remaining: Float64Array;
 }
 
+/** The planes of a mesh's tangent vectors. */
+export interface EnginePlanes {
+  /** The face in whose plane each vertex has its vectors; -1 for a dropped vertex. */
+  faceOf: Int32Array;
+  /** 1 for each face that the import turned over; else 0. */
+  turnedOver: Uint8Array;
+}
+
 export interface EngineMesh {
   delete(): void;
   info(): MeshInfo;
@@ -95,6 +104,8 @@ export interface EngineMesh {
   position(point: Float64Array): [number, number, number];
   positionsOf(points: Float64Array): Float64Array;
   normal(point: Float64Array): [number, number, number];
+  frame(point: Float64Array): Frame;
+  planes(): EnginePlanes;
   nearestPoint(place: Float64Array): { point: Float64Array; distance: number };
   /** Vertices beyond the radius are NaN. */
   distance(from: Float64Array, field: EngineFieldOptions, radius: number): Float64Array;

@@ -15,14 +15,7 @@ import { Path } from './path.js';
 import type { Outline, PathPoints, StraightestPath } from './path_types.js';
 import { toPointArrays, toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import { wireOutline } from './region.js';
-import type {
-  Frame,
-  PointLike,
-  RadiusOptions,
-  SurfacePoint,
-  VectorLike,
-  VectorsLike,
-} from './types.js';
+import type { PointLike, RadiusOptions, SurfacePoint, VectorLike, VectorsLike } from './types.js';
 
 /** Points as vectors of the tangent plane of another point. Each vector is x, y, z in space. */
 export interface LogMap {
@@ -143,23 +136,6 @@ export function carried(
   checkInteger(levels, 'the number of levels');
   return toSurfacePoints(mesh.call((target) => target.carried(wire, levels)));
 }
-
-export function frame(mesh: MeshHandle, point: PointLike): Frame {
-  const wire = wirePoint(point);
-  const [face] = mesh.call((target) => target.checkedPoint(wire)) as unknown as [number];
-  const ends = Float64Array.of(face, 1, 0, 0, face, 0, 1, 0);
-  const places = mesh.call((target) => target.positionsOf(ends));
-  const [x, y, z] = mesh.call((target) => target.normal(wire));
-  const edge = [0, 1, 2].map((k) => places[k + 3]! - places[k]!);
-  const [u, v, w] = edge.map((part) => part / Math.hypot(...edge)) as Triple;
-  return [
-    [u, v, w],
-    [y * w - z * v, z * u - x * w, x * v - y * u],
-    [x, y, z],
-  ];
-}
-
-type Triple = [number, number, number];
 
 export function mirror(
   mesh: MeshHandle,

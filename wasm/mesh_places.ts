@@ -1,6 +1,6 @@
 import { frozenInfo, toVector } from './check.js';
 import { type Engine, Handle, type MeshHandle } from './engine.js';
-import type { EngineMesh } from './karcher-engine.mjs';
+import type { EngineMesh, EnginePlanes } from './karcher-engine.mjs';
 import * as maps from './maps.js';
 import type { Outline, PathPoints } from './path_types.js';
 import { toSurfacePoint, wirePoint, wirePointsOrArrays } from './points.js';
@@ -105,8 +105,8 @@ export class MeshPlaces {
   }
 
   /**
-   * The unit normal of a point's face. It points to the side from which the corners of the face
-   * appear counterclockwise.
+   * The unit normal of a point's face. All normals of a connected surface point to the same side:
+   * the corners of a face appear counterclockwise from there, unless the import turned it over.
    *
    * @example
    * ```ts
@@ -128,7 +128,13 @@ export class MeshPlaces {
    * ```
    */
   frame(point: PointLike): Frame {
-    return maps.frame(this.#handle, point);
+    const wire = wirePoint(point);
+    return this.#handle.call((mesh) => mesh.frame(wire));
+  }
+
+  /** @internal The planes of vectors, for `karcher/three`. */
+  planes(): EnginePlanes {
+    return this.#handle.call((mesh) => mesh.planes());
   }
 
   /**

@@ -11,15 +11,22 @@
 namespace karcher {
 namespace {
 
+/// Coordinates in a plane. Weights sum to 1, so that two of them suffice.
+Vec2 plane(const Vec3& bary) { return {bary[1], bary[2]}; }
+
+/// The area of a piece relative to its triangle, negative if the piece was turned over.
+double areaOf(const FacePiece& piece) {
+  const Vec2 a = plane(piece.corners[0]);
+  return cross(plane(piece.corners[1]) - a, plane(piece.corners[2]) - a);
+}
+
 /// Converts a point's barycentric weights in the whole triangle to its weights in a piece.
 Vec3 weightsInPiece(const FacePiece& piece, const Vec3& bary) {
-  // Weights sum to 1, so that two of them are coordinates in a plane.
-  const auto plane = [](const Vec3& b) { return Vec2(b[1], b[2]); };
   const Vec2 a = plane(piece.corners[0]);
   const Vec2 u = plane(piece.corners[1]) - a;
   const Vec2 v = plane(piece.corners[2]) - a;
   const Vec2 p = plane(bary) - a;
-  const double area = cross(u, v);
+  const double area = areaOf(piece);
   const double second = cross(p, v) / area;
   const double third = cross(u, p) / area;
   return {1 - second - third, second, third};
@@ -88,6 +95,13 @@ const FacePiece& pieceOf(const Numbering& numbering, int engineFace) {
 }
 
 }  // namespace
+
+bool Numbering::isTurnedOver(int t) const {
+  const int f = engineFace[t];
+  if (f >= 0) return !turnedOver.empty() && turnedOver[t] != 0;
+  const Array<FacePiece>& pieces = images[-1 - f].pieces;
+  return !pieces.empty() && areaOf(pieces[0]) < 0;
+}
 
 Triangle Numbering::inputCorners(const TriangleMesh& mesh, int t) const {
   const int f = engineFace[t];

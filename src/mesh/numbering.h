@@ -39,7 +39,8 @@ struct Numbering {
   Array<FaceImage> images;
 
   int inputFaceCount() const { return engineFace.count(); }
-  bool isTurnedOver(int t) const { return !turnedOver.empty() && turnedOver[t] != 0; }
+  /// Whether the face or the pieces of an input triangle were turned over.
+  bool isTurnedOver(int t) const;
   /// The input vertices at the corners of an input triangle. The first of several welded vertices
   /// stands for all of them.
   Triangle inputCorners(const TriangleMesh& mesh, int inputFace) const;

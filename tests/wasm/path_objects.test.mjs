@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { load } from 'karcher';
 import {
+  geometryOf,
   RibbonOnSurface,
   ribbonGeometry,
   SurfaceCurve,
@@ -22,7 +23,70 @@ const placesOf = (geometry) => {
     new THREE.Vector3().fromBufferAttribute(position, v),
   );
 };
+/** The coordinates, without -0. */
+const listOf = (place) => Array.from(place, (x) => x + 0);
 const arraysOf = ({ attributes, index }) => [attributes.position.array, index.array];
+
+test('ribbons, tubes, normals and frames keep their side across faces that the import turned over', async () => {
+  const geometry = new THREE.PlaneGeometry(2, 2, 8, 8);
+  const turned = [40, 41, 55, 70, 71, 72, 73];
+  for (const face of turned) geometry.index.array.subarray(3 * face + 1, 3 * face + 3).reverse();
+  const remote = await loadInWorker();
+  for (const engine of [karcher, remote]) {
+    const surface = await surfaceFromGeometry(engine, geometry);
+    for (let face = 0; face < geometry.index.count / 3; face++) {
+      const point = { face, bary: [0.2, 0.3, 0.5] };
+      assert.deepEqual(listOf(surface.normal(point)), [0, 0, 1], `face ${face}`);
+      assert.deepEqual(listOf(await surface.mesh.normal(point)), [0, 0, 1]);
+      const axes = [0, 1, 2].map((k) =>
+        listOf(new THREE.Vector3().setFromMatrixColumn(surface.frame(point), k)),
+      );
+      assert.deepEqual(axes, (await surface.mesh.frame(point)).map(listOf));
+    }
+    const at = async (x, y) => (await surface.mesh.nearestPoint([x, y, 0])).point;
+    const path = await surface.mesh.shortestPath(await at(-0.9, 0.13), await at(0.9, -0.21));
+    const ribbon = ribbonGeometry(surface, path, { width: 0.1 });
+    const up = ribbon.attributes.normal;
+    for (let v = 0; v < up.count; v++) assert.ok(up.getZ(v) > 0.99, `vertex ${v}: ${up.getZ(v)}`);
+    const tube = tubeGeometry(surface, path, { radius: 0.1, sides: 4 }).attributes.normal;
+    for (let v = 0; v < tube.count; v += 4) {
+      const first = new THREE.Vector3().fromBufferAttribute(tube, 0);
+      assert.ok(first.dot(new THREE.Vector3().fromBufferAttribute(tube, v)) > 0.99);
+    }
+    const drawn = geometryOf(surface);
+    drawn.attributes.normal.array.forEach((x, i) => {
+      assert.equal(x, i % 3 === 2 ? 1 : 0);
+    });
+    assert.deepEqual([...drawn.index.array], [...new THREE.PlaneGeometry(2, 2, 8, 8).index.array]);
+  }
+  await remote.dispose();
+});
+
+test('a face that was turned over and cut has its normal on the upper side', () => {
+  // Vertex 3 lies on the edge from 0 to 1. The flat triangle there cuts the first face, whose
+  // corners are clockwise.
+  const positions = [0, 0, 0, 2, 0, 0, 1, 2, 0, 1, 0, 0, 1, -2, 0, 0, -2, 0, 2, -2, 0];
+  const corners = [0, 2, 1, 1, 0, 3, 0, 4, 3, 4, 1, 3, 0, 5, 4, 4, 6, 1];
+  for (const first of [0, 5]) {
+    // The same triangle once more, with vertices of its own or not.
+    const more = first === 0 ? [0, 1, 2] : [];
+    const mesh = karcher.meshFromArrays(positions, [...corners, ...more]);
+    const kinds = mesh.info.repairs.map(({ kind }) => kind);
+    assert.ok(kinds.includes('noArea') && kinds.includes('turnedOver'), `${kinds}`);
+    const surface = surfaceFromMesh(mesh);
+    for (const face of [0, 2, 3, 4, 5]) {
+      const point = { face, bary: [0.2, 0.3, 0.5] };
+      assert.deepEqual(listOf(mesh.normal(point)), [0, 0, 1]);
+      assert.deepEqual(listOf(surface.normal(point)), [0, 0, 1], `face ${face}`);
+    }
+    for (let vertex = 0; vertex < 7; vertex++) {
+      const axes = [0, 1, 2].map((k) =>
+        listOf(new THREE.Vector3().setFromMatrixColumn(surface.frame({ vertex }), k)),
+      );
+      assert.deepEqual(axes, mesh.frame({ vertex }).map(listOf), `vertex ${vertex}`);
+    }
+  }
+});
 
 test('a ribbon on a plane is a strip of its width, facing up', () => {
   const surface = surfaceFromGeometry(karcher, new THREE.PlaneGeometry(2, 2, 8, 8));

@@ -27,6 +27,10 @@ void checkLevels(int levels) {
                                            " times at once, not " + std::to_string(levels));
 }
 
+Vec3 normalOf(const Geometry& geometry, int face) {
+  return toSpace(geometry, face, {1, 0}).cross(toSpace(geometry, face, {0, 1}));
+}
+
 }  // namespace
 
 MeshHandle::MeshHandle(ImportedMesh imported)
@@ -159,8 +163,37 @@ val MeshHandle::positionsOf(const val& points) const {
 }
 
 val MeshHandle::normal(const val& point) const {
-  const int face = pointFromJs(numbering_, mesh(), point).face;
-  return toJs(toSpace(geometry(), face, {1, 0}).cross(toSpace(geometry(), face, {0, 1})));
+  return toJs(normalOf(geometry(), pointFromJs(numbering_, mesh(), point).face));
+}
+
+val MeshHandle::frame(const val& point) const {
+  const SurfacePoint own = pointFromJs(numbering_, mesh(), point);
+  const int face = toInput(numbering_, own).face;
+  const auto corner = [&](const Vec3& bary) {
+    return karcher::position(mesh(), toEngine(numbering_, mesh(), face, bary));
+  };
+  const Vec3 along = (corner(Vec3::UnitY()) - corner(Vec3::UnitX())).normalized();
+  const Vec3 normal = normalOf(geometry(), own.face);
+  val axes = val::array();
+  axes.set(0, toJs(along));
+  axes.set(1, toJs(normal.cross(along)));
+  axes.set(2, toJs(normal));
+  return axes;
+}
+
+val MeshHandle::planes() const {
+  Array<int> faces;
+  for (const int v : numbering_.engineVertex) {
+    faces.push_back(v < 0 ? -1 : toInput(numbering_, vertexPoint(mesh(), v)).face);
+  }
+  Array<uint8_t> turnedOver;
+  for (int t = 0; t < numbering_.inputFaceCount(); ++t) {
+    turnedOver.push_back(numbering_.isTurnedOver(t) ? 1 : 0);
+  }
+  val planes = val::object();
+  planes.set("faceOf", toJs(faces));
+  planes.set("turnedOver", toJs(turnedOver));
+  return planes;
 }
 
 val MeshHandle::nearestPoint(const val& place) {

@@ -49,6 +49,12 @@ class MeshHandle {
   val positionsOf(const val& points) const;
   /// The normal of the point's face.
   val normal(const val& point) const;
+  /// The unit vectors along the first edge of the point's face and at right angles to it, and the
+  /// normal.
+  val frame(const val& point) const;
+  /// {faceOf, turnedOver}: the face in whose plane each vertex has its vectors, -1 for a dropped
+  /// vertex; and 1 for each face that the import turned over.
+  val planes() const;
   /// {point, distance}; `place` is a Float64Array of three numbers.
   val nearestPoint(const val& place);
   /// {end, remaining, stop, path}; `direction` is a Float64Array of three numbers, in space.

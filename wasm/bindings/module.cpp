@@ -59,6 +59,8 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("position", &Guarded<&MeshHandle::position>::call)
       .function("positionsOf", &Guarded<&MeshHandle::positionsOf>::call)
       .function("normal", &Guarded<&MeshHandle::normal>::call)
+      .function("frame", &Guarded<&MeshHandle::frame>::call)
+      .function("planes", &Guarded<&MeshHandle::planes>::call)
       .function("nearestPoint", &Guarded<&MeshHandle::nearestPoint>::call)
       .function("straightest", &Guarded<&MeshHandle::straightest>::call)
       .function("shortestPath", &Guarded<&MeshHandle::shortestPath>::call)

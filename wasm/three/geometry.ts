@@ -17,7 +17,8 @@ export interface GeometryGroup {
 
 /**
  * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's
- * faces, and normals. Vertices keep their numbers. If several vertices lie at one place, the index
+ * faces, and normals. The corners of all faces are counterclockwise as seen from above
+ * (`Surface.normal`). Vertices keep their numbers. If several vertices lie at one place, the index
  * names the first of them. Vertices that the mesh has welded have one normal, so that normals are
  * smooth across seams. The geometry has the given `groups`, such as those of the original geometry.
  */
@@ -28,8 +29,9 @@ export function geometryOf(
   const { triangles } = surface;
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(triangles.positions), 3));
+  const corners = surface.cornersFromAbove();
   const setIndex = (vertexOf: (vertex: number) => number) =>
-    geometry.setIndex(new BufferAttribute(Uint32Array.from(triangles.corners, vertexOf), 1));
+    geometry.setIndex(new BufferAttribute(Uint32Array.from(corners, vertexOf), 1));
   for (const { start, count, materialIndex } of groups) {
     geometry.addGroup(start, count, materialIndex);
   }
@@ -74,9 +76,9 @@ export interface RibbonOptions {
 
 /**
  * A flat ribbon along a path. At each point it lies across the path, in the plane of the surface.
- * Where the surface bends across the path, the sides of a wide ribbon leave the surface. The
- * texture coordinate u grows by 1 for each width along the ribbon; v runs from 0 on its left side
- * to 1 on its right side.
+ * The ribbon faces up (`Surface.normal`). Where the surface bends across the path, the sides of a
+ * wide ribbon leave the surface. The texture coordinate u grows by 1 for each width along the
+ * ribbon; v runs from 0 on its left side to 1 on its right side.
  *
  * @throws {KarcherError} badArgument for a width that is not positive.
  * @example
@@ -204,7 +206,8 @@ export function decalGeometry(
   checkPositive(stretch, 'the stretch');
   const geometry = geometryOf(surface);
   const uvs = logMapUvs(vectors, frame, radius);
-  const { corners, positions } = surface.triangles;
+  const corners = surface.cornersFromAbove();
+  const { positions } = surface.triangles;
   const index: number[] = [];
   const sideOf = (values: ArrayLike<number>, size: number, a: number, b: number) =>
     Math.hypot(

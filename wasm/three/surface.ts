@@ -9,6 +9,7 @@ import {
 import { checkPointLike } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { Karcher } from '../karcher.js';
+import type { EnginePlanes } from '../karcher-engine.mjs';
 import type { Mesh } from '../mesh.js';
 import type { MeshOptions, PointLike, SurfacePoint } from '../types.js';
 import type { RemoteKarcher, RemoteMesh } from '../worker/index.js';
@@ -49,11 +50,13 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   readonly mesh: OfMesh;
   /** @internal The original triangles of the mesh, in their original order. */
   readonly triangles: Triangles;
+  readonly #planes: EnginePlanes;
 
   /** @internal `surfaceFromGeometry` and `surfaceFromMesh` create surfaces. */
-  constructor(mesh: OfMesh, triangles: Triangles) {
+  constructor(mesh: OfMesh, triangles: Triangles, planes: EnginePlanes) {
     this.mesh = mesh;
     this.triangles = triangles;
+    this.#planes = planes;
   }
 
   /** The length of the bounding box's diagonal. */
@@ -85,59 +88,61 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
 
   /** The place of a point, as a new vector or in `target`. */
   position(point: PointLike, target = new Vector3()): Vector3 {
-    const { face, bary } = this.#inFace(point);
+    const { face, vertex, bary } = this.#checked(point);
+    // The face of a cut triangle may have no corner at the vertex.
+    if (vertex !== undefined) return target.fromArray(this.triangles.positions, 3 * vertex);
     target.set(0, 0, 0);
     for (let k = 0; k < 3; k++) target.addScaledVector(this.#corner(face, k), bary[k]!);
     return target;
   }
 
   /**
-   * The unit normal of the point's face. It points to the side from which the corners of the face
-   * appear counterclockwise.
+   * The unit normal of the point's face, as `Mesh.normal` returns it. It points up. All of a
+   * connected surface has one upper side, from which the corners of most faces appear
+   * counterclockwise. The corners of a face that the import turned over appear clockwise.
    */
   normal(point: PointLike, target = new Vector3()): Vector3 {
-    const { face } = this.#inFace(point);
+    const { face } = this.#checked(point);
     const from = this.#corner(face, 0);
     const along = this.#corner(face, 1).sub(from);
-    return target.copy(along.cross(this.#corner(face, 2).sub(from))).normalize();
+    target.copy(along.cross(this.#corner(face, 2).sub(from))).normalize();
+    return this.#planes.turnedOver[face] ? target.negate() : target;
   }
 
   /**
    * The frame of a point. Its origin is the place of the point; its axes are two unit vectors in
    * the face, and the normal. An object with this matrix stands on the surface, its z axis upright.
-   * At a vertex the face is the one in whose plane log vectors lie. With an engine in a worker this
-   * holds at the boundary, but for ends of seams; elsewhere, pass the vertex as a point of a face.
+   * At a vertex the face is the one in whose plane log vectors lie.
    */
   frame(point: PointLike, target = new Matrix4()): Matrix4 {
-    const { mesh } = this;
-    // Only the engine knows its face at a vertex.
-    if ('vertex' in point && 'handle' in mesh) {
-      const [along, across, normal] = mesh.frame(point).map((axis) => new Vector3(...axis));
-      return target.makeBasis(along!, across!, normal!).setPosition(this.position(point));
-    }
-    const { face } = this.#inFace(point);
+    const { face } = this.#checked(point);
     const normal = this.normal(point);
     const along = this.#corner(face, 1).sub(this.#corner(face, 0)).normalize();
     const across = new Vector3().crossVectors(normal, along);
     return target.makeBasis(along, across, normal).setPosition(this.position(point));
   }
 
-  #inFace(point: PointLike): SurfacePoint {
-    const [face, first, second, third] = checkPointLike(point, 'the point');
+  /** @internal The corners of each face, which appear counterclockwise from above. */
+  cornersFromAbove(): Int32Array {
+    const corners = this.triangles.corners.slice();
+    this.#planes.turnedOver.forEach((isTurned, face) => {
+      if (isTurned) corners.subarray(3 * face + 1, 3 * face + 3).reverse();
+    });
+    return corners;
+  }
+
+  /** A point's weights in its face. For a vertex, the face is the engine's, without weights. */
+  #checked(point: PointLike): { face: number; vertex?: number; bary: readonly number[] } {
+    const [face, vertex, ...more] = checkPointLike(point, 'the point') as unknown as number[];
     if (!Number.isNaN(face)) {
       if (face! >= 0 && face! < this.triangles.corners.length / 3) {
-        return { face: face!, bary: [first!, second!, third!] };
+        return { face: face!, bary: [vertex!, ...more] };
       }
       throw new KarcherError('badIndex', `there is no face ${face}`);
     }
-    const at = this.triangles.at(first!);
-    if (at < 0) throw new KarcherError('badIndex', `there is no vertex ${first} of a face`);
-    const { corners } = this.triangles;
-    const own = this.triangles.first(first!);
-    // A triangle may have two corners at the place.
-    const bary: [number, number, number] = [0, 0, 0];
-    bary[[0, 1, 2].findIndex((k) => this.triangles.first(corners[3 * at + k]!) === own)] = 1;
-    return { face: at, bary };
+    const own = this.#planes.faceOf[vertex!] ?? -1;
+    if (own >= 0) return { face: own, vertex: vertex!, bary: [] };
+    throw new KarcherError('badIndex', `there is no vertex ${vertex} of a face`);
   }
 
   #corner(face: number, k: number): Vector3 {
@@ -238,24 +243,29 @@ export function surfaceFromGeometry(
     index ? index.getX(i) : i,
   );
   const mesh = karcher.meshFromArrays(positions, corners, options);
-  const surface = <OfMesh extends AnyMesh>(made: OfMesh, welded: Float64Array) =>
-    new Surface(made, new Triangles(positions, corners, welded));
   return mesh instanceof Promise
-    ? mesh.then(async (made) => surface(made, await made.positions()))
-    : surface(mesh, mesh.positions());
+    ? mesh.then(async (made) => {
+        const [welded, planes] = await Promise.all([made.positions(), made.planes()]);
+        return new Surface(made, new Triangles(positions, corners, welded), planes);
+      })
+    : new Surface(mesh, new Triangles(positions, corners, mesh.positions()), mesh.planes());
 }
 
 /** The surface of a mesh from another source. `geometryOf` returns a geometry that draws it. */
 export function surfaceFromMesh(mesh: Mesh): Surface<Mesh>;
 export function surfaceFromMesh(mesh: RemoteMesh): Promise<Surface<RemoteMesh>>;
 export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<RemoteMesh>> {
-  const [positions, corners] = [mesh.positions(), mesh.triangles()];
-  if (positions instanceof Promise || corners instanceof Promise) {
-    return Promise.all([positions, corners]).then(
-      ([places, numbers]) => new Surface(mesh as RemoteMesh, trianglesOf(places, numbers)),
+  const [positions, corners, planes] = [mesh.positions(), mesh.triangles(), mesh.planes()];
+  if (positions instanceof Promise) {
+    return Promise.all([positions, corners, planes]).then(
+      ([places, numbers, of]) => new Surface(mesh as RemoteMesh, trianglesOf(places, numbers), of),
     );
   }
-  return new Surface(mesh as Mesh, trianglesOf(positions, corners));
+  return new Surface(
+    mesh as Mesh,
+    trianglesOf(positions, corners as Int32Array),
+    planes as EnginePlanes,
+  );
 }
 
 /** The triangles with 32-bit places. The graphics card has these places, and hits refer to them. */

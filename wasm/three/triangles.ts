@@ -44,27 +44,6 @@ export class Triangles {
   }
 
   /**
-   * A triangle at a vertex, or -1. Triangles with three different places come first. Where they
-   * meet the boundary, it is the engine's: the one whose side from the vertex has no triangle on
-   * its other side.
-   */
-  at(vertex: number): number {
-    const firsts = this.#places.first;
-    const first = firsts[vertex];
-    if (first === undefined) return -1;
-    const all = this.#around.subarray(this.#starts[first]!, this.#starts[first + 1]!);
-    const places = Array.from(all, (face) => {
-      const [a, b, c] = [0, 1, 2].map((k) => firsts[this.corners[3 * face + k]!]!) as Three;
-      const [next, last] = a === first ? [b, c] : b === first ? [c, a] : [a, b];
-      return { face, next, last, isWhole: next !== last && next !== first && last !== first };
-    });
-    const whole = places.filter(({ isWhole }) => isWhole);
-    const lasts = new Set(whole.map(({ last }) => last));
-    const atBoundary = whole.find(({ next }) => !lasts.has(next));
-    return (atBoundary ?? whole[0] ?? places[0])?.face ?? -1;
-  }
-
-  /**
    * The triangle whose corners lie at three places (nine numbers), or -1. Among several such
    * triangles, those with the same orientation come first, and of these the one with the number
    * `likely`.
@@ -133,8 +112,6 @@ class Places {
     }
   }
 }
-
-type Three = [number, number, number];
 
 const words = new Float32Array(3);
 const bits = new Int32Array(words.buffer);
