@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
-import { surfaceFromGeometry } from 'karcher/three';
+import { geometryOf, surfaceFromGeometry, surfaceFromMesh } from 'karcher/three';
 import { loadInWorker } from 'karcher/worker';
 import * as THREE from 'three';
 import { geometries } from './geometries.mjs';
@@ -146,6 +146,42 @@ test('with the engine in a worker, the frame of a vertex is that of its log vect
     const { vectors } = await surface.mesh.logMap({ vertex }, [{ face: 1, bary: [0.2, 0.3, 0.5] }]);
     const normal = new THREE.Vector3().setFromMatrixColumn(surface.frame({ vertex }), 2);
     assert.ok(Math.abs(normal.dot(new THREE.Vector3().fromArray(vectors))) < 1e-9);
+  }
+  await remote.dispose();
+});
+
+test('geometryOf has separate normals for parts that are at one place but not welded', async () => {
+  const triangle = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+  const remote = await loadInWorker();
+  for (const [places, triangles, options] of [
+    // A triangle and its back.
+    [[...triangle, ...triangle], [0, 1, 2, 3, 5, 4], { weld: 0 }],
+    // Two triangles that touch at a corner.
+    [
+      [...triangle, 0, 0, 0, 0, -1, 0, 0, 0, 1],
+      [0, 1, 2, 3, 4, 5],
+    ],
+    // Two triangles whose common edge is not welded.
+    [[...triangle, 0, 0, 0, 0, 1, 0, 0, 0, 1], [0, 1, 2, 3, 4, 5], { weld: 0 }],
+  ]) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
+    geometry.setIndex(triangles);
+    for (const engine of [karcher, remote]) {
+      const mesh = await engine.meshFromArrays(places, triangles, options);
+      const surfaces = [
+        await surfaceFromGeometry(engine, geometry, options),
+        await surfaceFromMesh(mesh),
+      ];
+      for (const surface of surfaces) {
+        const { index, attributes } = geometryOf(surface);
+        for (const [i, v] of index.array.entries()) {
+          const normal = new THREE.Vector3().fromBufferAttribute(attributes.normal, v);
+          const expected = surface.normal({ face: Math.floor(i / 3), bary: [1, 0, 0] });
+          assert.ok(normal.distanceTo(expected) < 1e-6, `${places}: ${normal.toArray()}`);
+        }
+      }
+    }
   }
   await remote.dispose();
 });

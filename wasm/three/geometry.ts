@@ -18,8 +18,8 @@ export interface GeometryGroup {
 /**
  * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's
  * faces, and normals. The corners of all faces are counterclockwise as seen from above
- * (`Surface.normal`). Vertices keep their numbers. If several vertices lie at one place, the index
- * names the first of them. Vertices that the mesh has welded have one normal, so that normals are
+ * (`Surface.normal`). Vertices keep their numbers. Of several vertices at one place that the mesh
+ * has welded, the index names the first. Welded vertices have one normal, so that normals are
  * smooth across seams. The geometry has the given `groups`, such as those of the original geometry.
  */
 export function geometryOf(
@@ -40,7 +40,7 @@ export function geometryOf(
   geometry.computeVertexNormals();
   const normals = geometry.getAttribute('normal') as BufferAttribute;
   for (let v = 0; v < normals.count; v++) normals.copyAt(v, normals, welded[v]!);
-  return setIndex((v) => triangles.first(v));
+  return setIndex((v) => triangles.drawn(v));
 }
 
 /** The shape of a tube. */

@@ -245,10 +245,10 @@ export function surfaceFromGeometry(
   const mesh = karcher.meshFromArrays(positions, corners, options);
   return mesh instanceof Promise
     ? mesh.then(async (made) => {
-        const [welded, planes] = await Promise.all([made.positions(), made.planes()]);
-        return new Surface(made, new Triangles(positions, corners, welded), planes);
+        const [named, planes] = await Promise.all([made.triangles(), made.planes()]);
+        return new Surface(made, new Triangles(positions, corners, named), planes);
       })
-    : new Surface(mesh, new Triangles(positions, corners, mesh.positions()), mesh.planes());
+    : new Surface(mesh, new Triangles(positions, corners, mesh.triangles()), mesh.planes());
 }
 
 /** The surface of a mesh from another source. `geometryOf` returns a geometry that draws it. */
@@ -270,4 +270,4 @@ export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<
 
 /** The triangles with 32-bit places. The graphics card has these places, and hits refer to them. */
 const trianglesOf = (positions: Float64Array, corners: Int32Array) =>
-  new Triangles(Float64Array.from(positions, Math.fround), corners);
+  new Triangles(Float64Array.from(positions, Math.fround), corners, corners);

@@ -8,7 +8,7 @@ export class Triangles {
   readonly corners: Int32Array;
   /** The length of the bounding box's diagonal. */
   readonly diagonal: number;
-  /** The first vertex that the mesh has at the place of each vertex, where welding put it. */
+  /** The first of the vertices that are welded to each vertex. */
   readonly welded: Int32Array;
   readonly #places: Places;
   /**
@@ -18,14 +18,17 @@ export class Triangles {
   readonly #starts: Int32Array;
   readonly #around: Int32Array;
 
-  /** `welded` has the places of the vertices after welding, if they differ from `positions`. */
-  constructor(positions: Float64Array, corners: Int32Array, welded = positions) {
+  /** `named` are the corners as `Mesh.triangles` returns them: the first of welded vertices. */
+  constructor(positions: Float64Array, corners: Int32Array, named: Int32Array) {
     const vertices = positions.length / 3;
     this.positions = positions;
     this.corners = corners;
     this.#places = new Places(positions);
-    this.welded = welded === positions ? this.#places.first : new Places(welded).first;
     const { first } = this.#places;
+    this.welded = first.slice();
+    corners.forEach((v, i) => {
+      this.welded[v] = named[i]!;
+    });
     this.#starts = new Int32Array(vertices + 1);
     for (const v of corners) this.#starts[first[v]! + 1]!++;
     for (let v = 0; v < vertices; v++)
@@ -38,9 +41,10 @@ export class Triangles {
     this.diagonal = diagonalOf(positions, corners);
   }
 
-  /** The first vertex at the same place. */
-  first(vertex: number): number {
-    return this.#places.first[vertex]!;
+  /** The first of the vertices that are welded to this one, unless welding has moved it. */
+  drawn(vertex: number): number {
+    const first = this.welded[vertex]!;
+    return this.#places.first[first] === this.#places.first[vertex] ? first : vertex;
   }
 
   /**
@@ -66,7 +70,7 @@ export class Triangles {
 
   /** The rank of a face: 3 for corners in this order, 1 for the opposite order, 0 for others. */
   #order(face: number, a: number, b: number, c: number): number {
-    const [u, v, w] = [0, 1, 2].map((k) => this.first(this.corners[3 * face + k]!));
+    const [u, v, w] = [0, 1, 2].map((k) => this.#places.first[this.corners[3 * face + k]!]!);
     const is = (x: number, y: number, z: number) => x === a && y === b && z === c;
     if (is(u!, v!, w!) || is(v!, w!, u!) || is(w!, u!, v!)) return 3;
     return is(u!, w!, v!) || is(w!, v!, u!) || is(v!, u!, w!) ? 1 : 0;
