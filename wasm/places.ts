@@ -33,9 +33,22 @@ export class Places {
     count: 0,
   }));
   count = 0;
+  /** The part in which the last search ended, and the slot. */
+  #last = this.#parts[0]!;
+  #slot = 0;
 
   /** The number of the vertex at a place; a new place gets the next number. */
   number(x: number, y: number, z: number): number {
+    const known = this.find(x, y, z);
+    if (known >= 0) return known;
+    const part = this.#last;
+    part.slots[this.#slot] = ++this.count;
+    if (2 * ++part.count > part.slots.length) this.#grow(part);
+    return this.count - 1;
+  }
+
+  /** The number of the vertex at a place, or -1. */
+  find(x: number, y: number, z: number): number {
     const { positions, words } = this.#chunkOf(this.count);
     const at = 3 * (this.count & chunkMask);
     // The sums turn -0 into 0.
@@ -44,17 +57,16 @@ export class Places {
     positions[at + 2] = z + 0;
     const word = 2 * at;
     const hash = hashOf(words, word);
-    const part = this.#parts[hash & ((1 << tableBits) - 1)]!;
-    const { slots } = part;
+    this.#last = this.#parts[hash & ((1 << tableBits) - 1)]!;
+    const { slots } = this.#last;
     const mask = slots.length - 1;
     let slot = (hash >>> tableBits) & mask;
     for (let entry = slots[slot]!; entry !== 0; entry = slots[slot]!) {
       if (this.#isAt(entry - 1, words, word)) return entry - 1;
       slot = (slot + 1) & mask;
     }
-    slots[slot] = ++this.count;
-    if (2 * ++part.count > slots.length) this.#grow(part);
-    return this.count - 1;
+    this.#slot = slot;
+    return -1;
   }
 
   get positions(): Float64Array {

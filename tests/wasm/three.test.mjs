@@ -109,6 +109,20 @@ describe('a hit', () => {
     });
   }
 
+  test('is found as fast beside vertices that have no place, which no face uses', () => {
+    const positions = new Float32Array(3 * 10_000).fill(Number.NaN);
+    positions.set([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3)).setIndex([0, 1, 2]);
+    geometry.boundingSphere = new THREE.Sphere(new THREE.Vector3(), 2);
+    const before = performance.now();
+    const surface = surfaceFromGeometry(karcher, geometry);
+    assert.ok(performance.now() - before < 5000);
+    const ray = new THREE.Raycaster(new THREE.Vector3(0.25, 0.5, 1), new THREE.Vector3(0, 0, -1));
+    const [hit] = ray.intersectObject(new THREE.Mesh(geometry));
+    assert.deepEqual(surface.pointAt(hit), { face: 0, bary: [0.25, 0.25, 0.5] });
+  });
+
   test('is refused if the object is another one, or has changed', () => {
     const random = randomFrom(seed);
     const geometry = new THREE.TorusGeometry(1, 0.4, 16, 48);

@@ -1,3 +1,6 @@
+import { Places } from '../places.js';
+import { at } from '../vectors.js';
+
 /**
  * Finds the triangles of a mesh by the places of their corners, whatever the vertex numbers are.
  */
@@ -10,33 +13,34 @@ export class Triangles {
   readonly diagonal: number;
   /** The first of the vertices that are welded to each vertex. */
   readonly welded: Int32Array;
-  readonly #places: Places;
+  readonly #places = new Places();
+  /** The number of the place of each vertex. */
+  readonly #placeOf: Int32Array;
   /**
    * The triangles at each place, one list after the other. `#starts` has the beginning of each
-   * list, by the first vertex at the place.
+   * list.
    */
   readonly #starts: Int32Array;
   readonly #around: Int32Array;
 
   /** `named` are the corners as `Mesh.triangles` returns them: the first of welded vertices. */
   constructor(positions: Float64Array, corners: Int32Array, named: Int32Array) {
-    const vertices = positions.length / 3;
     this.positions = positions;
     this.corners = corners;
-    this.#places = new Places(positions);
-    const { first } = this.#places;
-    this.welded = first.slice();
+    this.welded = Int32Array.from({ length: positions.length / 3 }, (_, v) => v);
     corners.forEach((v, i) => {
       this.welded[v] = named[i]!;
     });
-    this.#starts = new Int32Array(vertices + 1);
-    for (const v of corners) this.#starts[first[v]! + 1]!++;
-    for (let v = 0; v < vertices; v++)
-      this.#starts[v + 1] = this.#starts[v + 1]! + this.#starts[v]!;
+    const places = this.welded.map((_, v) => this.#places.number(...at(positions, v)));
+    this.#placeOf = places;
+    this.#starts = new Int32Array(this.#places.count + 1);
+    for (const v of corners) this.#starts[places[v]! + 1]!++;
+    for (let i = 0; i < this.#places.count; i++)
+      this.#starts[i + 1] = this.#starts[i + 1]! + this.#starts[i]!;
     const next = this.#starts.slice();
     this.#around = new Int32Array(corners.length);
     corners.forEach((v, i) => {
-      this.#around[next[first[v]!]!++] = Math.floor(i / 3);
+      this.#around[next[places[v]!]!++] = Math.floor(i / 3);
     });
     this.diagonal = diagonalOf(positions, corners);
   }
@@ -44,7 +48,7 @@ export class Triangles {
   /** The first of the vertices that are welded to this one, unless welding has moved it. */
   drawn(vertex: number): number {
     const first = this.welded[vertex]!;
-    return this.#places.first[first] === this.#places.first[vertex] ? first : vertex;
+    return this.#placeOf[first] === this.#placeOf[vertex] ? first : vertex;
   }
 
   /**
@@ -53,7 +57,7 @@ export class Triangles {
    * `likely`.
    */
   find(places: ArrayLike<number>, likely: number): number {
-    const [a, b, c] = [0, 3, 6].map((i) => this.#places.at(places, i));
+    const [a, b, c] = [0, 1, 2].map((i) => this.#places.find(...at(places, i)));
     if (a! < 0 || b! < 0 || c! < 0) return -1;
     let found = -1;
     let best = 0;
@@ -70,65 +74,11 @@ export class Triangles {
 
   /** The rank of a face: 3 for corners in this order, 1 for the opposite order, 0 for others. */
   #order(face: number, a: number, b: number, c: number): number {
-    const [u, v, w] = [0, 1, 2].map((k) => this.#places.first[this.corners[3 * face + k]!]!);
+    const [u, v, w] = [0, 1, 2].map((k) => this.#placeOf[this.corners[3 * face + k]!]!);
     const is = (x: number, y: number, z: number) => x === a && y === b && z === c;
     if (is(u!, v!, w!) || is(v!, w!, u!) || is(w!, u!, v!)) return 3;
     return is(u!, w!, v!) || is(w!, v!, u!) || is(v!, u!, w!) ? 1 : 0;
   }
-}
-
-/** Vertices by their places, in a hash table. */
-class Places {
-  /** The first vertex at the place of each vertex. */
-  readonly first: Int32Array;
-  readonly #positions: Float64Array;
-  /** Vertices by a hash of their place; -1 for a free slot. The table is at most half full. */
-  readonly #table: Int32Array;
-
-  constructor(positions: Float64Array) {
-    const vertices = positions.length / 3;
-    this.#positions = positions;
-    this.#table = new Int32Array(2 ** Math.ceil(Math.log2(2 * vertices + 2))).fill(-1);
-    this.first = Int32Array.from({ length: vertices }, (_, vertex) => {
-      const slot = this.#slot(positions, 3 * vertex);
-      if (this.#table[slot]! < 0) this.#table[slot] = vertex;
-      return this.#table[slot]!;
-    });
-  }
-
-  /** The first vertex at the place whose coordinates begin at an index; -1 without one. */
-  at(places: ArrayLike<number>, i: number): number {
-    return this.#table[this.#slot(places, i)]!;
-  }
-
-  /** The slot of the vertex at a place, or a free one. */
-  #slot(places: ArrayLike<number>, i: number): number {
-    const [x, y, z] = [places[i]!, places[i + 1]!, places[i + 2]!];
-    const mask = this.#table.length - 1;
-    let slot = hash(x, y, z) & mask;
-    for (;;) {
-      const vertex = this.#table[slot]!;
-      if (vertex < 0) return slot;
-      const [px, py, pz] = [0, 1, 2].map((k) => this.#positions[3 * vertex + k]!);
-      // A vertex with a NaN coordinate shares its place with no other vertex.
-      if (px === x && py === y && pz === z) return slot;
-      slot = (slot + 1) & mask;
-    }
-  }
-}
-
-const words = new Float32Array(3);
-const bits = new Int32Array(words.buffer);
-
-function hash(x: number, y: number, z: number): number {
-  // 0 and -0 are one place.
-  words[0] = x + 0;
-  words[1] = y + 0;
-  words[2] = z + 0;
-  let mixed = Math.imul(bits[0]!, 0x9e3779b1) ^ Math.imul(bits[1]!, 0x85ebca77);
-  mixed ^= Math.imul(bits[2]!, 0xc2b2ae3d);
-  mixed = Math.imul(mixed ^ (mixed >>> 15), 0x2c1b3c6d);
-  return mixed ^ (mixed >>> 13);
 }
 
 function diagonalOf(positions: Float64Array, corners: Int32Array): number {
