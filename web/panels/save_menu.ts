@@ -1,5 +1,4 @@
 import type { SurfacePoint } from 'karcher';
-import type { Vector3 } from 'three';
 import { polylinesOf } from '../editor/engine/compute';
 import type { ShownCut } from '../editor/engine/cut';
 import type { Session } from '../editor/engine/session';
@@ -278,7 +277,7 @@ export class SaveMenu {
     const { kind, points, circle } = this.editor.state.figure;
     const own = isRound(kind) ? (circle ? [circle.center] : []) : points;
     const handles = isOpen && ownToo ? own : [];
-    const dot = (place: Vector3, color: string, filled = false) => ({
+    const dot = (place: Parameters<Vantage['project']>[0], color: string, filled = false) => ({
       ...vantage.project(place),
       ...{ color, filled },
     });

@@ -1,5 +1,6 @@
-import { KarcherError, type SurfacePoint } from 'karcher';
+import type { SurfacePoint } from 'karcher';
 import type { Viewer } from '../../viewer/viewer';
+import { KarcherError } from '../../worker/client';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 import type { Editor } from '../state/editor';
