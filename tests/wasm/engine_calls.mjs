@@ -24,8 +24,8 @@ export function noted(mesh, work) {
   return value.then((result) => ({ value: result, calls })).finally(restore);
 }
 
-/** The prototypes of the module's own meshes and curves. */
-function prototypesOf(mesh) {
+/** A new curve of a mesh, and the module's own mesh and curve. */
+export function curveInModule(mesh, options) {
   const engineMesh = mesh.handle.call((target) => target);
   const { curve: make } = engineMesh;
   let engineCurve;
@@ -33,9 +33,17 @@ function prototypesOf(mesh) {
     engineCurve = make.apply(engineMesh, args);
     return engineCurve;
   };
-  mesh.curve({ kind: 'polyline', points: [0, 1].map((vertex) => ({ vertex })) }).dispose();
+  const curve = mesh.curve(options);
   delete engineMesh.curve;
-  return [engineMesh, engineCurve].map(Object.getPrototypeOf);
+  return { curve, engineMesh, engineCurve };
+}
+
+/** The prototypes of the module's own meshes and curves. */
+function prototypesOf(mesh) {
+  const points = [0, 1].map((vertex) => ({ vertex }));
+  const { curve, ...made } = curveInModule(mesh, { kind: 'polyline', points });
+  curve.dispose();
+  return Object.values(made).map(Object.getPrototypeOf);
 }
 
 /** Records the calls of a prototype's methods, until the returned function is called. */

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
-import { noted } from './engine_calls.mjs';
+import { curveInModule, noted } from './engine_calls.mjs';
 import { fields, partsOf } from './meshes.mjs';
 
 const karcher = await load();
@@ -120,6 +120,16 @@ test('an invalid value changes nothing', () => {
     curve.dispose();
     assert.throws(() => curve.set(plain), { code: 'disposed' });
   }
+});
+
+test('the module refuses an edit of an unknown name, which changes nothing', () => {
+  const { curve, engineCurve } = curveInModule(mesh, plain);
+  const before = shown(curve);
+  assert.throws(() => mesh.handle.call(() => engineCurve.edit('insertPoints', 0, 0.5)), {
+    ...{ name: 'KarcherError', code: 'badArgument' },
+    message: /no edit 'insertPoints'/,
+  });
+  assert.deepEqual(shown(curve), before);
 });
 
 test('a view has all visible parts of a curve, in one buffer', () => {

@@ -6,6 +6,7 @@
 
 #include "curves/kept_legs.h"
 #include "curves/spec/knots.h"
+#include "mesh/error.h"
 
 namespace karcher::bindings {
 
@@ -76,8 +77,10 @@ int CurveHandle::edit(const std::string& name, int i, const val& to) {
     CurveValue value = withBeta(curve_.value(), 0, 1);
     value.options.shape.betas = fromJs<double>(to);
     curve_.set(std::move(value));
-  } else {
+  } else if (name == "insertOnCurve") {
     return insertOnCurve(number());
+  } else {
+    throw Error(ErrorCode::kBadArgument, "there is no edit '" + name + "'");
   }
   line_.reset();
   return i;
