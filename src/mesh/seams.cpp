@@ -144,10 +144,7 @@ class Seams {
     }
     if (gone.empty()) return false;
     faces_.leaveOut([&](int f) { return gone[f] != 0; });
-    // A vertex of omitted faces alone is not welded, but goes with its face.
-    const int before = countUsed();
     faces_.renumber(target_.names());
-    repairs_.welded += before - countUsed();
     return true;
   }
 
@@ -167,12 +164,6 @@ class Seams {
       for (const int v : t) ++uses[v];
     }
     return uses;
-  }
-
-  /// The number of vertices that faces use.
-  int countUsed() const {
-    const Array<int> uses = countUses();
-    return uses.count() - static_cast<int>(std::count(uses.begin(), uses.end(), 0));
   }
 
   bool hangsOnNone(int f, const Array<int>& uses) const {
@@ -324,11 +315,10 @@ class Seams {
     if (!placesDiffer()) return;
     if (options_.tolerance != 0) {
       const DisjointSets before = target_;
-      const int welded = repairs_.welded;
       // Each round keeps at least one more place apart, so that the loop ends.
       do {
         target_ = before;
-        repairs_.welded = welded;
+        repairs_.welded = 0;
         weldFacing();
         weldMirrored(edges);
       } while (keepWholeEdges());

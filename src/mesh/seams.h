@@ -26,7 +26,7 @@ struct DuplicateFace {
 };
 
 struct SeamRepairs {
-  /// the number of vertices that were welded to another vertex, among those of the remaining faces
+  /// the number of vertices that were welded to another vertex, without those of repeated faces
   int welded = 0;
   int keptApart = 0;  ///< the number of vertices not welded to another at their place
   Array<DuplicateFace> duplicates;
