@@ -58,10 +58,8 @@ type Wanted = (surface: Surface, before: Surface | null) => Drawing | null;
 export class Opening {
   #running: AbortController | null = null;
   #restarts = 0;
-  /** The number of choices of reading options so far, since only the last choice applies. */
-  #turns = 0;
-  /** The key of the file with the chosen options, until the choice has taken effect. */
-  #rereading: string | null = null;
+  /** The last choice of reading options, with the file's key by it, until it has taken effect. */
+  #rereading: { key: string; controller: AbortController } | null = null;
   /** Restarts the engine that stopped while a surface was being opened. */
   #restartLater: (() => void) | null = null;
   #complaint: HTMLElement | null = null;
@@ -185,35 +183,39 @@ export class Opening {
    * axis keeps the drawing; other parts do not.
    */
   async reread(part: Partial<Reading>): Promise<void> {
-    const turn = ++this.#turns;
-    const isLast = () => turn === this.#turns;
     const shown = this.editor.state.mesh;
-    const key = readAs(this.#rereading ?? shown, part);
+    const key = readAs(this.#rereading?.key ?? shown, part);
     const [before, after] = [readingOf(shown), readingOf(key)];
-    if (this.#rereading) this.#running?.abort();
-    this.#rereading = null;
+    this.#stopRereading();
     if (!before || !after || key === shown) return;
-    this.#rereading = key;
+    const controller = new AbortController();
+    const { signal } = controller;
+    this.#rereading = { key, controller };
     const sameParts = `${before.parts}` === `${after.parts}`;
     try {
-      if (sameParts && before.weld === after.weld) return await this.#turn(key, isLast);
+      if (sameParts && before.weld === after.weld) return await this.#turn(key, signal);
       const content = await this.fileOf(key);
-      if (!isLast()) return;
+      if (signal.aborted) return;
       // Points refer to the file's own triangles, which do not change.
       const wanted = () => (sameParts ? this.editor.state.drawing : null);
-      if (content) await this.#open(key, fileSource(key, content), wanted);
+      if (content) await this.#open(key, fileSource(key, content), wanted, {}, controller);
       else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
     } finally {
-      if (isLast()) this.#rereading = null;
+      if (this.#rereading?.controller === controller) this.#rereading = null;
     }
   }
 
-  /** Shows the present surface with a key's upward axis, unless the user has chosen another one. */
-  async #turn(key: string, wanted: () => boolean): Promise<void> {
+  #stopRereading(): void {
+    this.#rereading?.controller.abort();
+    this.#rereading = null;
+  }
+
+  /** Shows the present surface with a key's upward axis, unless a later choice replaces it. */
+  async #turn(key: string, signal: AbortSignal): Promise<void> {
     const [client, viewer] = [this.session.client, this.#viewer];
     if (!client || !viewer) return;
     const drawn = await drawnGeometry(drawnMesh(client, key));
-    if (client !== this.session.client || !wanted()) return;
+    if (client !== this.session.client || signal.aborted) return;
     this.editor.cancelDrag();
     // The user may have edited the drawing in the meantime.
     const { drawing, standIn } = this.editor.state;
@@ -256,10 +258,8 @@ export class Opening {
     if (made) return this.#openLink(link, made);
     const content = await this.fileOf(mesh);
     if (content) return this.#openLink(link, fileSource(mesh, content));
-    this.#await(
-      mesh,
-      formatLink(mesh, method ?? this.editor.state.method, link.drawing, link.view),
-    );
+    const waiting = formatLink(mesh, method ?? this.editor.state.method, link.drawing, link.view);
+    this.#await(mesh, waiting);
     this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to continue.`);
     return false;
   }
@@ -377,9 +377,10 @@ export class Opening {
     source: MeshSource,
     wanted: Wanted,
     how: HowOpened = {},
+    controller = new AbortController(),
   ): Promise<boolean> {
     this.#running?.abort();
-    const controller = new AbortController();
+    if (this.#rereading?.controller !== controller) this.#stopRereading();
     this.#running = controller;
     const { signal } = controller;
     const name = meshLabel(key);
@@ -433,8 +434,7 @@ export class Opening {
 
   #showDrawing(key: string, wanted: Drawing | null, triangles: number, how: HowOpened): void {
     const kept = parseLink(recall(`document.${key}`) ?? '')?.drawing ?? emptyDrawing;
-    const isFirst = this.editor.state.mesh === '';
-    const starting = isFirst && wanted;
+    const starting = this.editor.state.mesh === '' && wanted;
     const work = this.#history;
     const history =
       starting && work && sameDrawing(wanted, work.link.drawing) ? work.history : null;

@@ -403,4 +403,34 @@ describe('no work is lost', () => {
     assert.equal(await tab.page.locator('#surface').inputValue(), 'sphere');
     await tab.close();
   });
+
+  test('a surface chosen while other reading options take effect opens', async () => {
+    const two = `o one\n${tetrahedron}o two\nv 2 0 0\nv 3 0 0\nv 2 1 0\nv 2 0 1\nf 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n`;
+    const sequences = [
+      [
+        ['up', 'y'],
+        ['surface', 'genus3'],
+        ['up', '-y'],
+      ],
+      [
+        ['part', '1'],
+        ['surface', 'genus3'],
+      ],
+    ];
+    for (const choices of sequences) {
+      const tab = await Tab.open(browser);
+      await tab.drop('two.obj', two);
+      await tab.page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('two.obj'));
+      await tab.settled();
+      await tab.page.evaluate((choices) => {
+        for (const [id, value] of choices) {
+          const select = document.getElementById(id);
+          select.value = value;
+          select.dispatchEvent(new Event('change'));
+        }
+      }, choices);
+      await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('genus3'));
+      await tab.close();
+    }
+  });
 });
