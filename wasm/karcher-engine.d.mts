@@ -91,6 +91,30 @@ export interface EnginePlanes {
   turnedOver: Uint8Array;
 }
 
+/** What remains of the caller's triangles after the import. */
+export interface EngineKept {
+  /** 1 for each triangle that is a part of the surface; 0 if it repeats another or has no area. */
+  areFaces: Uint8Array;
+  /** The vertices at both ends of each edge that has a single face. */
+  boundary: Int32Array;
+}
+
+/**
+ * The vertices of triangles on the surface. Where several fans of faces meet at a vertex, it has its
+ * own number in one fan, and numbers after those of all vertices in the others.
+ */
+export interface EngineFans {
+  /**
+   * The numbers of the vertices of each triangle; -1 for triangles that repeat another, or of which
+   * the surface lacks a vertex.
+   */
+  corners: Int32Array;
+  /** The vertex of each number after those of all vertices. */
+  copies: Int32Array;
+  /** The connected part of each number; -1 for vertices that no face uses. */
+  parts: Int32Array;
+}
+
 export interface EngineMesh {
   delete(): void;
   info(): MeshInfo;
@@ -98,6 +122,8 @@ export interface EngineMesh {
   inputVertices(): number;
   positions(): Float64Array;
   triangles(): Int32Array;
+  kept(): EngineKept;
+  fans(): EngineFans;
   marks(): FileMarks;
   subdivided(levels: number): EngineMesh;
   checkedPoint(point: Float64Array): Float64Array;

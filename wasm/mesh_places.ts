@@ -1,6 +1,6 @@
 import { frozenInfo, toVector } from './check.js';
 import { type Engine, Handle, type MeshHandle } from './engine.js';
-import type { EngineMesh, EnginePlanes } from './karcher-engine.mjs';
+import type { EngineFans, EngineKept, EngineMesh, EnginePlanes } from './karcher-engine.mjs';
 import * as maps from './maps.js';
 import type { Outline, PathPoints } from './path_types.js';
 import { toSurfacePoint, wirePoint, wirePointsOrArrays } from './points.js';
@@ -130,6 +130,16 @@ export class MeshPlaces {
   frame(point: PointLike): Frame {
     const wire = wirePoint(point);
     return this.#handle.call((mesh) => mesh.frame(wire));
+  }
+
+  /** @internal What remains after the import, for `karcher/checkup` and `karcher/statistics`. */
+  kept(): EngineKept {
+    return this.#handle.call((mesh) => mesh.kept());
+  }
+
+  /** @internal The vertices of triangles on the surface, for `karcher/statistics`. */
+  fans(): EngineFans {
+    return this.#handle.call((mesh) => mesh.fans());
   }
 
   /** @internal The planes of vectors, for `karcher/three`. */

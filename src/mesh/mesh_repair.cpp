@@ -222,6 +222,7 @@ class MeshRepair {
         }
       }
       imageOf(source).pieces = std::move(pieces);
+      imageOf(source).isDuplicate = true;
     }
   }
 

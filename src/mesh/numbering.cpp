@@ -112,6 +112,30 @@ Triangle Numbering::inputCorners(const TriangleMesh& mesh, int t) const {
   return corners;
 }
 
+Triangle Numbering::engineCorners(const TriangleMesh& mesh, int t) const {
+  const int f = engineFace[t];
+  if (f >= 0) {
+    Triangle corners = mesh.faces[f];
+    if (isTurnedOver(t)) std::swap(corners[1], corners[2]);
+    return corners;
+  }
+  const FaceImage& image = images[-1 - f];
+  if (image.isDuplicate) return {-1, -1, -1};
+  Triangle corners;
+  for (int k = 0; k < 3; ++k) corners[k] = engineVertex[image.corners[k]];
+  // A split vertex has one part in each fan.
+  for (const FacePiece& piece : image.pieces) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) {
+        if (piece.corners[static_cast<size_t>(j)] == Vec3::Unit(k)) {
+          corners[k] = mesh.corner(piece.face, j);
+        }
+      }
+    }
+  }
+  return corners;
+}
+
 SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int inputFace,
                       const Vec3& bary) {
   SurfacePoint point = checkedPoint(numbering.inputFaceCount(), inputFace, bary);

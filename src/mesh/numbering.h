@@ -20,6 +20,7 @@ struct FaceImage {
   Triangle corners;            ///< the input vertices, the first of several welded ones
   std::array<Vec3, 3> places;  ///< the places of the corners
   Array<FacePiece> pieces;     ///< the pieces; empty for an omitted triangle
+  bool isDuplicate = false;    ///< whether the triangle repeats another one
   Array<int> beside;           ///< the engine's faces at its corners, for a triangle without pieces
 };
 
@@ -44,6 +45,9 @@ struct Numbering {
   /// The input vertices at the corners of an input triangle. The first of several welded vertices
   /// stands for all of them.
   Triangle inputCorners(const TriangleMesh& mesh, int inputFace) const;
+  /// The engine's vertices at the corners of an input triangle; -1 at each corner of a duplicate,
+  /// and for dropped vertices.
+  Triangle engineCorners(const TriangleMesh& mesh, int inputFace) const;
 };
 
 /// Converts a caller's point to the engine's and checks it by `checkedPoint`. If the input triangle

@@ -161,6 +161,24 @@ TEST(ImportMesh, SeparatesPartsThatTouchAtAVertex) {
             "1 vertex at the position of another stayed apart, where no edge joins their faces");
 }
 
+TEST(ImportMesh, KnowsItsVerticesAtTheCorners) {
+  // Two triangles touch at vertex 0. A third one repeats the first, and a fourth one, without area,
+  // cuts it at the middle of its side from 1 to 2.
+  const TriangleSoup soup = {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 1, 0}},
+                             {{3, 4, 0}, {0, 1, 2}, {1, 2, 0}, {2, 1, 5}}};
+  const ImportedMesh imported = importMesh(soup);
+  const auto corners = [&](int t) { return imported.numbering.engineCorners(imported.mesh, t); };
+  EXPECT_EQ(corners(2), Triangle(-1, -1, -1));
+  for (const int t : {0, 1, 3}) {
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(imported.mesh.positions[corners(t)[k]], soup.positions[soup.triangles[t][k]]);
+    }
+  }
+  EXPECT_NE(corners(0)[2], corners(1)[0]);
+  EXPECT_EQ(componentOfVertices(imported.mesh)[corners(1)[0]],
+            componentOfVertices(imported.mesh)[corners(1)[1]]);
+}
+
 TEST(ImportMesh, SeparatesPartsThatTouchAlongAnEdge) {
   // The copy is the tetrahedron after half a turn about the z axis: the edge 0-3 has four faces.
   const auto turn = [](const Vec3& p) { return Vec3(-p.x(), -p.y(), p.z()); };

@@ -95,6 +95,16 @@ test('the boundary is that of the remaining faces', async () => {
   assert.deepEqual(await edges(pillow), []);
   const beside = await edges(`${pillow}v 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 6\nf 4 5 6\n`);
   assert.equal(beside.length, 3);
+  // A triangle without area beyond the boundary goes with its edges.
+  const corner = 'v 0 0 0\nv 1 0 0\nv 0 -1 0\nf 1 2 3\n';
+  assert.deepEqual(await edges(`${corner}v -1 0 0\nf 4 2 1\n`), await edges(corner));
+});
+
+test('a thin triangle that repeats another one counts once', async () => {
+  const positions = [0, 0, 0, 10, 0, 0, 10, 0.1, 0, 5, -5, 0];
+  const triangles = [0, 1, 2, 1, 0, 3, 0, 1, 2, 2, 0, 1];
+  const mesh = karcher.meshFromArrays(positions, triangles);
+  assert.deepEqual(Array.from((await checkUp(mesh)).needles), [0]);
 });
 
 test('coinciding boundaries: the number of their vertices, and the weld that joins them', async () => {

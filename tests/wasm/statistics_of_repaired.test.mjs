@@ -207,6 +207,29 @@ for (const [where, karcher] of Object.entries({ 'in the page': engine, 'in a wor
       });
     }
 
+    test('a face without area at an edge changes no cell and no line', async () => {
+      // The diagonal has the two faces of the square, and faces to its middle without area.
+      const positions = [...corners, [0.5, 0.5, 0], [0.25, 0.25, 0]].flat();
+      const fins = [
+        [0, 2, 4],
+        [0, 4, 2],
+        [0, 4, 5],
+      ];
+      for (const some of [[0], [0, 1], [0, 2], [0, 1, 2]]) {
+        const triangles = [[0, 1, 2], [0, 2, 3], ...some.map((k) => fins[k])].flat();
+        const mesh = await karcher.meshFromArrays(positions, triangles);
+        assert.ok(kinds(mesh).includes('noArea'));
+        const { areas, cell } = await voronoi(mesh, [{ vertex: 1 }]);
+        near([areas[0], cell(0).perimeter], [1, 4]);
+        const heights = positions.filter((_, i) => i % 3 === 0);
+        const [lines] = await isolines(mesh, heights, [0.125]);
+        near(
+          lines.map(({ length }) => length),
+          [1],
+        );
+      }
+    });
+
     test('a face that is cut has the welded vertices of its neighbors', async () => {
       // The third face lies on the diagonal, whose middle is a vertex. The last one touches the
       // square there.

@@ -31,6 +31,13 @@ Vec3 normalOf(const Geometry& geometry, int face) {
   return toSpace(geometry, face, {1, 0}).cross(toSpace(geometry, face, {0, 1}));
 }
 
+/// Whether a triangle with this entry in `engineFace` is a part of the surface.
+bool isFace(const Numbering& numbering, int engineFace) {
+  if (engineFace >= 0) return true;
+  const FaceImage& image = numbering.images[-1 - engineFace];
+  return !image.isDuplicate && !image.pieces.empty();
+}
+
 }  // namespace
 
 MeshHandle::MeshHandle(ImportedMesh imported)
@@ -80,6 +87,53 @@ val MeshHandle::triangles() const {
     result.insert(result.end(), {corners[0], corners[1], corners[2]});
   }
   return toJs(result);
+}
+
+val MeshHandle::kept() const {
+  Array<uint8_t> areFaces;
+  areFaces.reserve(numbering_.engineFace.size());
+  for (const int f : numbering_.engineFace) areFaces.push_back(isFace(numbering_, f) ? 1 : 0);
+  Array<int> boundary;
+  for (int h = 0; h < mesh().halfedgeCount(); ++h) {
+    if (mesh().twin[h] >= 0) continue;
+    boundary.push_back(numbering_.inputVertex[mesh().tail(h)]);
+    boundary.push_back(numbering_.inputVertex[mesh().head(h)]);
+  }
+  val result = val::object();
+  result.set("areFaces", toJs(areFaces));
+  result.set("boundary", toJs(boundary));
+  return result;
+}
+
+val MeshHandle::fans() const {
+  const int vertices = numbering_.engineVertex.count();
+  const Array<int> component = componentOfVertices(mesh());
+  Array<int> numbers;
+  Array<int> copies;
+  Array<int> parts(numbering_.engineVertex.size(), -1);
+  for (int v = 0; v < mesh().vertexCount(); ++v) {
+    const int input = numbering_.inputVertex[v];
+    if (numbering_.engineVertex[input] == v) {
+      numbers.push_back(input);
+      parts[input] = component[v];
+    } else {
+      numbers.push_back(vertices + copies.count());
+      copies.push_back(input);
+      parts.push_back(component[v]);
+    }
+  }
+  Array<int> corners;
+  corners.reserve(3 * numbering_.engineFace.size());
+  for (int t = 0; t < numbering_.inputFaceCount(); ++t) {
+    const Triangle own = numbering_.engineCorners(mesh(), t);
+    const bool isThere = own.minCoeff() >= 0;
+    for (const int v : own) corners.push_back(isThere ? numbers[v] : -1);
+  }
+  val result = val::object();
+  result.set("corners", toJs(corners));
+  result.set("copies", toJs(copies));
+  result.set("parts", toJs(parts));
+  return result;
 }
 
 val MeshHandle::marks() const {

@@ -37,6 +37,10 @@ class MeshHandle {
   int inputVertices() const { return numbering_.engineVertex.count(); }
   val positions() const;
   val triangles() const;
+  /// {areFaces, boundary}, as `EngineKept` of karcher-engine.d.mts describes them.
+  val kept() const;
+  /// {corners, copies, parts}, as `EngineFans` of karcher-engine.d.mts describes them.
+  val fans() const;
   /// The mesh refined by `levels` steps of Loop subdivision.
   std::unique_ptr<MeshHandle> subdivided(int levels) const;
   /// The same points on the refined mesh. Each point keeps its barycentric place in its original

@@ -53,6 +53,8 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("inputVertices", &Guarded<&MeshHandle::inputVertices>::call)
       .function("positions", &Guarded<&MeshHandle::positions>::call)
       .function("triangles", &Guarded<&MeshHandle::triangles>::call)
+      .function("kept", &Guarded<&MeshHandle::kept>::call)
+      .function("fans", &Guarded<&MeshHandle::fans>::call)
       .function("marks", &Guarded<&MeshHandle::marks>::call)
       .function("subdivided", &Guarded<&MeshHandle::subdivided>::call)
       .function("checkedPoint", &Guarded<&MeshHandle::checkedPoint>::call)

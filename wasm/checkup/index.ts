@@ -1,7 +1,7 @@
+import type { EngineKept } from '../karcher-engine.mjs';
 import { checkLongWork } from '../options.js';
 import { Slices } from '../slices.js';
 import type { LongWorkOptions, MeshInfo, RepairKind } from '../types.js';
-import { boundaryEdges } from './boundary.js';
 import { type NearBoundaries, nearBoundaries } from './near_boundaries.js';
 import { shapesOf } from './shapes.js';
 
@@ -39,6 +39,8 @@ export interface CheckedMesh {
   positions(): Float64Array | Promise<Float64Array>;
   /** Three vertex numbers for each triangle, as `Mesh.triangles` returns them. */
   triangles(): Int32Array | Promise<Int32Array>;
+  /** @internal What remains of the triangles, as `Mesh.kept` returns it. */
+  kept(): EngineKept | Promise<EngineKept>;
 }
 
 /**
@@ -50,21 +52,18 @@ export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Pr
   checkLongWork(work);
   const slices = new Slices(work, 'checking');
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
+  const { areFaces, boundary: ends } = await mesh.kept();
   const { info } = mesh;
   const isRepaired = (wanted: RepairKind) => info.repairs.some(({ kind }) => kind === wanted);
-  const { shortest, ...shapes } = await shapesOf(positions, triangles, slices);
-  const edges =
-    info.boundaryLoops === 0
-      ? new Int32Array()
-      : await boundaryEdges(triangles, isRepaired('duplicate'), slices);
+  const { shortest, ...shapes } = await shapesOf(positions, triangles, areFaces, slices);
   const near = await nearBoundaries(
     {
-      ...{ positions, boundary: edges, shortest },
+      ...{ positions, boundary: ends, shortest },
       ...{ diagonal: info.diagonal, isWelded: isRepaired('welded') },
     },
     slices,
   );
-  const boundary = placesOf(positions, edges);
+  const boundary = placesOf(positions, ends);
   const found = { ...shapes, boundary, nearBoundaries: near };
   return { ...found, expected: expectedOf(info, found) };
 }

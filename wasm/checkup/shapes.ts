@@ -5,11 +5,6 @@ import { batchMask, type Slices } from '../slices.js';
  * angle below `needleAngle` is a needle.
  */
 const [needleAngle, capAngle] = [2, 170];
-/**
- * The least height of a triangle, relative to its longest edge. For the engine, the corners of a
- * lower triangle lie on a line, and it flips or rejects the triangle.
- */
-const leastHeight = 1e-12;
 const degrees = 180 / Math.PI;
 
 interface Shapes {
@@ -25,11 +20,12 @@ interface Shapes {
 
 /**
  * The lengths and angles of triangles. The result omits triangles with one vertex at two corners,
- * and triangles whose corners lie on a line by the engine's rule.
+ * and triangles that are no part of the surface (`EngineKept.areFaces`).
  */
 export async function shapesOf(
   positions: Float64Array,
   triangles: Int32Array,
+  areFaces: Uint8Array,
   slices: Slices,
 ): Promise<Shapes> {
   const shortestAt = new Float64Array(
@@ -61,11 +57,11 @@ export async function shapesOf(
     ]) {
       shortestAt[vertex] = Math.min(shortestAt[vertex]!, one, other);
     }
+    if (!areFaces[at / 3]) continue;
     const longest = Math.max(a, b, c);
     const shortest = Math.min(a, b, c);
     const middle = a + b + c - longest - shortest;
     const sine = twiceArea(positions, p, q, r);
-    if (!(sine > leastHeight * longest * longest)) continue;
     shortestEdge = Math.min(shortestEdge, shortest);
     longestEdge = Math.max(longestEdge, longest);
     const angle = (opposite: number, one: number, other: number) =>

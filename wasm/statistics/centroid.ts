@@ -6,7 +6,6 @@ import { Region } from '../region.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import type { AnyMesh } from './energy.js';
 import { inFace } from './fans.js';
-import { facesOf } from './surface.js';
 
 /** The options of the search for a centroid. */
 export interface CentroidOptions {
@@ -96,13 +95,14 @@ export async function centroid(
   }
   const least = checkNumber(tolerance, 'the tolerance') * mesh.info.diagonal;
   const positions = await mesh.positions();
-  const triangles = await facesOf(mesh, positions);
+  const triangles = await mesh.triangles();
+  const { areFaces } = await mesh.kept();
   const density = checkDensity(given.density, positions.length / 3);
   const data =
     region === 'all'
       ? allOf(triangles)
       : (region instanceof Region ? region : Region.from(region)).data();
-  const patches = grouped(patchesOf(data, positions, triangles, density), most);
+  const patches = grouped(patchesOf(data, positions, triangles, areFaces, density), most);
   const mass = patches.reduce((sum, patch) => sum + patch.mass, 0);
   if (!(mass > 0)) {
     const what = given.density ? 'mass' : 'area';
@@ -167,11 +167,15 @@ const allOf = (triangles: Int32Array): Parts => ({
 /** The sides of a whole triangle, in its second and third weights. */
 const whole = Float64Array.of(0, 0, 1, 0, 1, 0, 0, 1, 0, 1, 0, 0);
 
-/** The patches of a region: its whole triangles, and its parts of other triangles. */
+/**
+ * The patches of a region: its whole triangles, and its parts of other triangles, without triangles
+ * that are no part of the surface (`EngineKept.areFaces`).
+ */
 function patchesOf(
   { share, triangles: parts, sides }: Parts,
   positions: Float64Array,
   triangles: Int32Array,
+  areFaces: Uint8Array,
   density: ArrayLike<number>,
 ): Patch[] {
   const patches: Patch[] = [];
@@ -181,6 +185,7 @@ function patchesOf(
   };
   /** Adds the area that some sides enclose, with its mass and center of mass. */
   const add = (face: number, around: Float64Array) => {
+    if (!areFaces[face]) return;
     const [a, b, c] = [corner(face, 0), corner(face, 1), corner(face, 2)];
     const [u, v] = [b, c].map((to) => to.map((value, k) => value - a[k]!)) as [number[], number[]];
     const cross = [0, 1, 2].map((k) => {
@@ -201,7 +206,7 @@ function patchesOf(
       x += (turn * (ax * (atA + sum) + bx * (atB + sum))) / 24;
       y += (turn * (ay * (atA + sum) + by * (atB + sum))) / 24;
     }
-    if (mass === 0 || !hasArea(u, v, cross)) return;
+    if (mass === 0) return;
     // In a sliver, rounding may lead out of the triangle.
     x = Math.min(1, Math.max(0, x / mass));
     y = Math.min(1 - x, Math.max(0, y / mass));
@@ -220,16 +225,6 @@ function patchesOf(
     add(parts[first]!, sides.subarray(4 * first, 4 * i));
   }
   return patches;
-}
-
-/**
- * Whether a triangle with these two sides and this cross product has an area. The surface does not
- * have the others: a face is left out if its height is at most 1e-12 of its longest edge.
- */
-function hasArea(u: readonly number[], v: readonly number[], cross: readonly number[]): boolean {
-  const across = v.map((value, k) => value - u[k]!);
-  const longest = Math.max(...[u, v, across].map((side) => Math.hypot(...side)));
-  return Math.hypot(...cross) > 1e-12 * longest ** 2;
 }
 
 type Three = [number, number, number];

@@ -1,7 +1,5 @@
 import type { PointLike, SurfacePoint } from '../types.js';
-import { at, cross, distance, dot, subtract, type Vector } from '../vectors.js';
 import type { AnyMesh } from './energy.js';
-import { facesOf } from './surface.js';
 
 /**
  * The caller's triangles as faces of the surface. Where several fans of faces meet at a vertex,
@@ -17,62 +15,60 @@ export interface Fans {
   positions: Float64Array;
   /** 1 for each triangle that was turned over. */
   turnedOver: Uint8Array;
-  /** The connected part of each triangle and of each number; null if no vertex has several fans. */
-  parts: { ofFaces: Int32Array; ofNumbers: Int32Array } | null;
+  /** The connected part of each number; null if no vertex has several fans. */
+  parts: Int32Array | null;
 }
 
 /** The fans of a mesh. */
 export async function fansOf(mesh: AnyMesh): Promise<Fans> {
   const given = await mesh.positions();
-  const corners = await facesOf(mesh, given);
-  const turnedOver = new Uint8Array(corners.length / 3);
-  const vertices = Array.from({ length: given.length / 3 }, (_, vertex) => vertex);
-  const isDivided = mesh.info.repairs.some(({ kind }) =>
-    ['turnedOver', 'branching', 'bowTie'].includes(kind),
+  const { corners, copies, parts } = await mesh.fans();
+  const { turnedOver } = await mesh.planes();
+  leaveOutFins(corners, (await mesh.kept()).areFaces);
+  const count = given.length / 3;
+  const vertices = Int32Array.from({ length: count + copies.length }, (_, number) =>
+    number < count ? number : copies[number - count]!,
   );
-  if (!isDivided) {
-    return {
-      corners,
-      vertices: Int32Array.from(vertices),
-      positions: given,
-      turnedOver,
-      parts: null,
-    };
+  return {
+    ...{ corners, vertices, turnedOver },
+    positions: Float64Array.from(
+      { length: 3 * vertices.length },
+      (_, i) => given[3 * vertices[Math.floor(i / 3)]! + (i % 3)]!,
+    ),
+    parts: copies.length > 0 ? parts : null,
+  };
+}
+
+/**
+ * Leaves out triangles without area that join no others, since no other triangle has two of their
+ * sides. The rest join a triangle at their longest side to several at their shorter ones.
+ */
+function leaveOutFins(corners: Int32Array, areFaces: Uint8Array): void {
+  const flat = Array.from(areFaces.keys()).filter(
+    (face) => !areFaces[face] && corners[3 * face]! >= 0,
+  );
+  if (flat.length === 0) return;
+  const sidesOf = (face: number) =>
+    [0, 1, 2].map((k) => {
+      const [from, to] = [corners[3 * face + k]!, corners[3 * face + ((k + 1) % 3)]!];
+      return Math.min(from, to) * 2 ** 26 + Math.max(from, to);
+    });
+  const uses = new Map(flat.flatMap(sidesOf).map((side) => [side, 0]));
+  for (const face of areFaces.keys()) {
+    for (const side of sidesOf(face)) if (uses.has(side)) uses.set(side, uses.get(side)! + 1);
   }
-  const ofFaces = new Int32Array(corners.length / 3).fill(-1);
-  const ofNumbers = vertices.map(() => -1);
-  const agreement = new Float64Array(corners.length / 3);
-  // Without paths, `cut` divides a mesh into its components, whose vertices and orientation are
-  // those of the surface.
-  for (const [number, part] of (await mesh.cut([])).entries()) {
-    const known = new Map<number, number>();
-    part.faces.forEach((face, i) => {
-      ofFaces[face] = number;
-      const own = [...part.triangles.subarray(3 * i, 3 * i + 3)];
-      const places = own.map((vertex) => at(part.positions, vertex));
-      const before = [...corners.subarray(3 * face, 3 * face + 3)].map((v) => vertices[v]!);
-      const there = before.map((vertex) => at(given, vertex));
-      agreement[face]! += dot(normalOf(places), normalOf(there));
-      own.forEach((vertex, j) => {
-        // A repair may have put a vertex on a side of a face.
-        const k = there.findIndex((place) => distance(place, places[j]!) === 0);
-        if (k < 0) return;
-        if (!known.has(vertex)) {
-          const isFree = ofNumbers[before[k]!] === -1;
-          known.set(vertex, isFree ? before[k]! : vertices.push(before[k]!) - 1);
-          ofNumbers[known.get(vertex)!] = number;
-        }
-        corners[3 * face + k] = known.get(vertex)!;
-      });
+  for (let left = flat, before = 0; left.length !== before; ) {
+    before = left.length;
+    left = left.filter((face) => {
+      const sides = sidesOf(face);
+      const isFin =
+        new Set(sides).size < 3 || sides.filter((side) => uses.get(side) === 1).length > 1;
+      if (!isFin) return true;
+      for (const side of sides) uses.set(side, uses.get(side)! - 1);
+      corners.fill(-1, 3 * face, 3 * face + 3);
+      return false;
     });
   }
-  return {
-    corners,
-    vertices: Int32Array.from(vertices),
-    positions: Float64Array.from(vertices.flatMap((vertex) => at(given, vertex))),
-    turnedOver: turnedOver.map((_, face) => +(agreement[face]! < 0)),
-    parts: { ofFaces, ofNumbers: Int32Array.from(ofNumbers) },
-  };
 }
 
 /** A point of a face of the surface; other parts may have a face at its place. */
@@ -80,6 +76,3 @@ export async function inFace(mesh: AnyMesh, point: PointLike): Promise<SurfacePo
   const [{ face, bary }] = (await mesh.expMap(point, [0, 0, 0])).points as [SurfacePoint];
   return { face, bary: [...bary] };
 }
-
-/** A vector along the normal of a triangle. */
-const normalOf = ([a, b, c]: readonly Vector[]) => cross(subtract(b!, a!), subtract(c!, a!));

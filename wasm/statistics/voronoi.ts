@@ -80,18 +80,18 @@ export async function voronoi(
  */
 async function distancesOf(
   mesh: AnyMesh,
-  { vertices, parts }: Fans,
+  { corners, vertices, parts }: Fans,
   site: Site,
   given: Float64Array,
 ): Promise<Float64Array> {
   if (!parts) return given;
   const reached = new Set<number>();
   for (const point of [site].flat() as PointLike[]) {
-    reached.add(parts.ofFaces[(await inFace(mesh, point)).face]!);
+    reached.add(parts[corners[3 * (await inFace(mesh, point)).face]!]!);
   }
   // A vertex of no face may be welded to another one.
   reached.add(-1);
   return Float64Array.from(vertices, (vertex, number) =>
-    reached.has(parts.ofNumbers[number]!) ? given[vertex]! : Number.NaN,
+    reached.has(parts[number]!) ? given[vertex]! : Number.NaN,
   );
 }

@@ -1,17 +1,13 @@
 import type { LongWorkOptions, MeshInfo } from 'karcher';
-import { type CheckedUp, mostPlaces, outlineLength } from '../model/checked_up';
-import type { MeshBlobs } from '../model/mesh_blobs';
+import {
+  type CheckedSurface,
+  type CheckedUp,
+  mostPlaces,
+  outlineLength,
+} from '../model/checked_up';
 import { byId, formatCount, formatInteger, make } from './elements';
 import { sentenceOf } from './messages';
 import { showProgress } from './progress';
-
-/** The surface to check. */
-export interface CheckedSurface {
-  readonly info: Readonly<MeshInfo>;
-  readonly arrays: MeshBlobs;
-  /** The surface's file; null if the surface does not come from a file. */
-  readonly file: object | null;
-}
 
 /**
  * A check-up of the surface. It runs when the user opens the panel, and shows its findings and

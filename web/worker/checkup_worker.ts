@@ -2,15 +2,20 @@
 import type { LongWorkOptions, MeshInfo } from 'karcher';
 import { checkUp } from 'karcher/checkup';
 import { serve } from 'karcher/own-worker';
-import { type CheckedUp, mostPlaces, outlineLength } from '../model/checked_up';
+import { type CheckedUp, type Kept, mostPlaces, outlineLength } from '../model/checked_up';
 import { arraysOf, type MeshArrays, type MeshBlobs } from '../model/mesh_blobs';
 
 serve({
-  async checkUp(info: MeshInfo, blobs: MeshBlobs, work: LongWorkOptions): Promise<CheckedUp> {
+  async checkUp(
+    info: MeshInfo,
+    blobs: MeshBlobs,
+    kept: Kept,
+    work: LongWorkOptions,
+  ): Promise<CheckedUp> {
     const arrays = await arraysOf(blobs);
     const { positions, triangles } = arrays;
     const found = await checkUp(
-      { info, positions: () => positions, triangles: () => triangles },
+      { info, positions: () => positions, triangles: () => triangles, kept: () => kept },
       work,
     );
     const { needles, caps } = found;
