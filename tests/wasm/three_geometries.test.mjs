@@ -186,6 +186,30 @@ test('geometryOf has separate normals for parts that are at one place but not we
   await remote.dispose();
 });
 
+test('vertices that welding replaced have the normals of those they are welded to', async () => {
+  const remote = await loadInWorker();
+  // Two strips touch at a vertex. There, two vertices of each strip are welded.
+  const touching = new THREE.BufferGeometry();
+  const strip = (x, y) => [0, 0, 0, x, 0, 0, 0, y, 1, 0, 0, 0, 0, y, 1, -x, 0, 0];
+  const places = [...strip(1, 1), ...strip(2, -1)];
+  touching.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
+  for (const geometry of [...Object.values(geometries).map(([first]) => first), touching]) {
+    const { positions, triangles } = arraysOf(geometry);
+    const { normal: expected } = geometryOf(surfaceFromGeometry(karcher, geometry)).attributes;
+    for (const engine of [karcher, remote]) {
+      const mesh = await engine.meshFromArrays(positions, triangles);
+      const { normal } = geometryOf(await surfaceFromMesh(mesh)).attributes;
+      for (const v of triangles) {
+        const away = new THREE.Vector3()
+          .fromBufferAttribute(normal, v)
+          .distanceTo(new THREE.Vector3().fromBufferAttribute(expected, v));
+        assert.ok(away < 1e-6, `${geometry.type} ${v}: ${away}`);
+      }
+    }
+  }
+  await remote.dispose();
+});
+
 test('paths across seams have the right length', () => {
   // The ends are two edges of the polygon of `sides` sides apart. A path beside the vertex between
   // may be shorter than these edges, but not than the chord.

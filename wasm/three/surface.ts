@@ -246,28 +246,34 @@ export function surfaceFromGeometry(
   return mesh instanceof Promise
     ? mesh.then(async (made) => {
         const [named, planes] = await Promise.all([made.triangles(), made.planes()]);
-        return new Surface(made, new Triangles(positions, corners, named), planes);
+        return surfaceOf(made, { positions, corners, named, planes });
       })
-    : new Surface(mesh, new Triangles(positions, corners, mesh.triangles()), mesh.planes());
+    : surfaceOf(mesh, { positions, corners, named: mesh.triangles(), planes: mesh.planes() });
 }
 
 /** The surface of a mesh from another source. `geometryOf` returns a geometry that draws it. */
 export function surfaceFromMesh(mesh: Mesh): Surface<Mesh>;
 export function surfaceFromMesh(mesh: RemoteMesh): Promise<Surface<RemoteMesh>>;
 export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<RemoteMesh>> {
-  const [positions, corners, planes] = [mesh.positions(), mesh.triangles(), mesh.planes()];
-  if (positions instanceof Promise) {
-    return Promise.all([positions, corners, planes]).then(
-      ([places, numbers, of]) => new Surface(mesh as RemoteMesh, trianglesOf(places, numbers), of),
-    );
-  }
-  return new Surface(
-    mesh as Mesh,
-    trianglesOf(positions, corners as Int32Array),
-    planes as EnginePlanes,
-  );
+  const parts = [mesh.positions(), mesh.triangles(), mesh.planes()] as const;
+  const made = ([places, corners, planes]: readonly [Float64Array, Int32Array, EnginePlanes]) => {
+    // The graphics card has places of 32 bits, and hits refer to them.
+    const positions = Float64Array.from(places, Math.fround);
+    return { positions, corners, named: corners, planes };
+  };
+  return parts[0] instanceof Promise
+    ? Promise.all(parts).then((data) => surfaceOf(mesh as RemoteMesh, made(data)))
+    : surfaceOf(mesh as Mesh, made(parts as [Float64Array, Int32Array, EnginePlanes]));
 }
 
-/** The triangles with 32-bit places. The graphics card has these places, and hits refer to them. */
-const trianglesOf = (positions: Float64Array, corners: Int32Array) =>
-  new Triangles(Float64Array.from(positions, Math.fround), corners, corners);
+interface SurfaceParts {
+  positions: Float64Array;
+  corners: Int32Array;
+  named: Int32Array;
+  planes: EnginePlanes;
+}
+
+const surfaceOf = <OfMesh extends AnyMesh>(
+  mesh: OfMesh,
+  { positions, corners, named, planes }: SurfaceParts,
+) => new Surface(mesh, new Triangles(positions, corners, named, planes.faceOf), planes);

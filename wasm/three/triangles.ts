@@ -23,13 +23,20 @@ export class Triangles {
   readonly #starts: Int32Array;
   readonly #around: Int32Array;
 
-  /** `named` are the corners as `Mesh.triangles` returns them: the first of welded vertices. */
-  constructor(positions: Float64Array, corners: Int32Array, named: Int32Array) {
+  /**
+   * `named` are the corners as `Mesh.triangles` returns them: the first of welded vertices.
+   * `faceOf` is a face at each vertex, or -1, as in `EnginePlanes`.
+   */
+  constructor(positions: Float64Array, corners: Int32Array, named: Int32Array, faceOf: Int32Array) {
     this.positions = positions;
     this.corners = corners;
-    this.welded = Int32Array.from({ length: positions.length / 3 }, (_, v) => v);
+    this.welded = new Int32Array(positions.length / 3).fill(-1);
     corners.forEach((v, i) => {
       this.welded[v] = named[i]!;
+    });
+    // A vertex that no corner names may be welded to a corner of its face.
+    faceOf.forEach((face, v) => {
+      if (this.welded[v]! < 0) this.welded[v] = face < 0 ? v : named[this.#nearestCorner(face, v)]!;
     });
     const places = this.welded.map((_, v) => this.#places.number(...at(positions, v)));
     this.#placeOf = places;
@@ -70,6 +77,18 @@ export class Triangles {
       found = face;
     }
     return found;
+  }
+
+  /** The place in `corners` of a face's corner that is nearest to a vertex. */
+  #nearestCorner(face: number, vertex: number): number {
+    const place = at(this.positions, vertex);
+    const distanceTo = (corner: number) => {
+      const other = at(this.positions, this.corners[corner]!);
+      return Math.hypot(...place.map((x, k) => x - other[k]!));
+    };
+    return [3 * face, 3 * face + 1, 3 * face + 2].reduce((best, corner) =>
+      distanceTo(corner) < distanceTo(best) ? corner : best,
+    );
   }
 
   /** The rank of a face: 3 for corners in this order, 1 for the opposite order, 0 for others. */
