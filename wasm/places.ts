@@ -23,8 +23,9 @@ interface Chunk {
 }
 
 /**
- * Vertices by their place, for files that repeat a vertex in each of its faces. Places with equal
- * coordinates are one vertex. Vertices have numbers in the order of their first occurrence.
+ * Vertices by their place: those of files that repeat a vertex in each of its faces, and those of
+ * triangles that are found by their corners. Places with equal coordinates are one vertex; NaN is
+ * equal to itself. Vertices have numbers in the order of their first occurrence.
  */
 export class Places {
   readonly #chunks: Chunk[] = [];
