@@ -1,4 +1,5 @@
 import type { PointLike, SurfacePoint } from '../types.js';
+import { at } from '../vectors.js';
 import type { AnyMesh } from './energy.js';
 
 /**
@@ -26,17 +27,14 @@ export async function fansOf(mesh: AnyMesh): Promise<Fans> {
   const { turnedOver } = await mesh.planes();
   leaveOutFins(corners, (await mesh.kept()).areFaces);
   const count = given.length / 3;
-  const vertices = Int32Array.from({ length: count + copies.length }, (_, number) =>
-    number < count ? number : copies[number - count]!,
-  );
-  return {
-    ...{ corners, vertices, turnedOver },
-    positions: Float64Array.from(
-      { length: 3 * vertices.length },
-      (_, i) => given[3 * vertices[Math.floor(i / 3)]! + (i % 3)]!,
-    ),
-    parts: copies.length > 0 ? parts : null,
-  };
+  const vertices = new Int32Array(count + copies.length).map((_, number) => number);
+  vertices.set(copies, count);
+  const positions = new Float64Array(3 * vertices.length);
+  positions.set(given);
+  copies.forEach((vertex, i) => {
+    positions.set(at(given, vertex), 3 * (count + i));
+  });
+  return { corners, vertices, positions, turnedOver, parts: copies.length > 0 ? parts : null };
 }
 
 /**
@@ -44,9 +42,10 @@ export async function fansOf(mesh: AnyMesh): Promise<Fans> {
  * sides. The rest join a triangle at their longest side to several at their shorter ones.
  */
 function leaveOutFins(corners: Int32Array, areFaces: Uint8Array): void {
-  const flat = Array.from(areFaces.keys()).filter(
-    (face) => !areFaces[face] && corners[3 * face]! >= 0,
-  );
+  const flat: number[] = [];
+  areFaces.forEach((isFace, face) => {
+    if (!isFace && corners[3 * face]! >= 0) flat.push(face);
+  });
   if (flat.length === 0) return;
   const sidesOf = (face: number) =>
     [0, 1, 2].map((k) => {
