@@ -38,6 +38,9 @@ export interface SurfaceHit {
   batchId?: number | undefined;
 }
 
+/** A point in a face, or a vertex with one of its faces. */
+type InFace = { face: number; bary: [number, number, number] } | { face: number; vertex: number };
+
 /** The largest distance between a hit's point and its surface point, relative to the diagonal. */
 const farthest = 1e-6;
 
@@ -88,18 +91,21 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
 
   /** The place of a point, as a new vector or in `target`. */
   position(point: PointLike, target = new Vector3()): Vector3 {
-    const { face, vertex, bary } = this.#checked(point);
+    const own = this.#checked(point);
     // The face of a cut triangle may have no corner at the vertex.
-    if (vertex !== undefined) return target.fromArray(this.triangles.positions, 3 * vertex);
+    if ('vertex' in own) return target.fromArray(this.triangles.positions, 3 * own.vertex);
     target.set(0, 0, 0);
-    for (let k = 0; k < 3; k++) target.addScaledVector(this.#corner(face, k), bary[k]!);
+    for (const [k, weight] of own.bary.entries()) {
+      target.addScaledVector(this.#corner(own.face, k), weight);
+    }
     return target;
   }
 
   /**
-   * The unit normal of the point's face, as `Mesh.normal` returns it. It points up. All of a
-   * connected surface has one upper side, from which the corners of most faces appear
-   * counterclockwise. The corners of a face that the import turned over appear clockwise.
+   * The unit normal of the point's face, as `Mesh.normal` returns it. It is zero for a face without
+   * area, where `Mesh.normal` takes the face beside it. It points up. All of a connected surface has
+   * one upper side, from which the corners of most faces appear counterclockwise. The corners of a
+   * face that the import turned over appear clockwise.
    */
   normal(point: PointLike, target = new Vector3()): Vector3 {
     const { face } = this.#checked(point);
@@ -131,18 +137,23 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
     return corners;
   }
 
-  /** A point's weights in its face. For a vertex, the face is the engine's, without weights. */
-  #checked(point: PointLike): { face: number; vertex?: number; bary: readonly number[] } {
-    const [face, vertex, ...more] = checkPointLike(point, 'the point') as unknown as number[];
-    if (!Number.isNaN(face)) {
-      if (face! >= 0 && face! < this.triangles.corners.length / 3) {
-        return { face: face!, bary: [vertex!, ...more] };
-      }
-      throw new KarcherError('badIndex', `there is no face ${face}`);
+  /** A point with its face. For a vertex, the face is the engine's. */
+  #checked(point: PointLike): InFace {
+    const given = Array.from(checkPointLike(point, 'the point')) as [
+      number,
+      number,
+      number,
+      number,
+    ];
+    if (Number.isNaN(given[0])) {
+      const [, vertex] = given;
+      const face = this.#planes.faceOf[vertex] ?? -1;
+      if (face >= 0) return { face, vertex };
+      throw new KarcherError('badIndex', `there is no vertex ${vertex} of a face`);
     }
-    const own = this.#planes.faceOf[vertex!] ?? -1;
-    if (own >= 0) return { face: own, vertex: vertex!, bary: [] };
-    throw new KarcherError('badIndex', `there is no vertex ${vertex} of a face`);
+    const [face, ...bary] = given;
+    if (face >= 0 && face < this.triangles.corners.length / 3) return { face, bary };
+    throw new KarcherError('badIndex', `there is no face ${face}`);
   }
 
   #corner(face: number, k: number): Vector3 {
