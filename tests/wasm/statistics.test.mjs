@@ -271,6 +271,20 @@ test('at a corner of a cube the median moves along an edge', async () => {
   }
 });
 
+test('a median beside several vertices divides the mesh once', async () => {
+  const mesh = (await load()).shape('torus', 600);
+  const points = [0, 15, 30, 60].map((vertex) => ({ vertex }));
+  const { cut } = mesh;
+  let cuts = 0;
+  mesh.cut = (...given) => {
+    cuts++;
+    return cut.apply(mesh, given);
+  };
+  const { steps } = await median(mesh, points, undefined, { start: points[0] });
+  assert.ok(steps > 0);
+  assert.equal(cuts, 1);
+});
+
 test('at a corner of the boundary that points inwards the median moves along the boundary', async () => {
   // The square without its upper right quarter. Seen from the corner, the first two points are three
   // quarters of a turn apart, and the third is at 135 degrees from both.

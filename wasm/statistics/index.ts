@@ -7,7 +7,7 @@ import { KarcherError } from '../errors.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import { type AnyMesh, checkWeights } from './energy.js';
 import { inFace } from './fans.js';
-import { stepFrom } from './median_step.js';
+import { divided, stepFrom } from './median_step.js';
 
 export { KarcherError } from '../errors.js';
 export { type Centroid, type CentroidOptions, centroid } from './centroid.js';
@@ -161,6 +161,7 @@ async function search(
   };
   const valueHere = () => distances.reduce((sum, distance, i) => sum + own[i]! * cost(distance), 0);
   const tried = new Set<number>();
+  const surface = divided(mesh);
   let steps = 0;
   let converged = false;
   await measure();
@@ -172,7 +173,7 @@ async function search(
       tried.add(nearest);
       const before = { point, distances };
       const value = valueHere();
-      const step = await stepFrom(mesh, points, own, nearest, least);
+      const step = await stepFrom(surface, points, own, nearest, least);
       const from = points[nearest]!;
       point = step ? (await mesh.expMap(from, step)).points[0]! : from;
       await measure();

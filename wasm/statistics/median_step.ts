@@ -1,4 +1,4 @@
-import type { PointLike, SurfacePoint } from '../types.js';
+import type { CutPart, PointLike, SurfacePoint } from '../types.js';
 import { add, at, cross, dot, scaled, subtract, type Vector } from '../vectors.js';
 import type { AnyMesh } from './energy.js';
 import { inFace } from './fans.js';
@@ -9,20 +9,40 @@ interface Pull {
   direction: number;
 }
 
+/** A mesh, and its components with vertices that are all apart. */
+export interface Divided {
+  mesh: AnyMesh;
+  /** The components; the first call computes them. */
+  components(): Promise<CutPart[]>;
+}
+
+/** A mesh whose components are computed at most once. */
+export function divided(mesh: AnyMesh): Divided {
+  let parts: Promise<CutPart[]> | undefined;
+  return {
+    mesh,
+    components: () => {
+      // Without paths, `cut` divides a mesh into its components.
+      parts ??= Promise.resolve(mesh.cut([]));
+      return parts;
+    },
+  };
+}
+
 /**
  * The step of Vardi and Zhang from one of the points: undefined if the point is a local median, or
  * else a vector to a lower sum of distances. Points within `least` of the point count as points at
  * its place.
  */
 export async function stepFrom(
-  mesh: AnyMesh,
+  { mesh, components }: Divided,
   points: readonly PointLike[],
   weights: readonly number[],
   nearest: number,
   least: number,
 ): Promise<Vector | undefined> {
   const from = points[nearest]!;
-  const fan = await fanAt(mesh, from);
+  const fan = await fanAt({ mesh, components }, from);
   const { vectors } = await mesh.logMap(from, [...points, ...(fan?.beside ?? [])]);
   const vectorAt = (i: number) => at(vectors, i);
   const pulls: Vector[] = [];
@@ -70,12 +90,11 @@ interface Fan {
  * The fan of a point at a vertex, otherwise undefined. Its faces are those after the mesh's repairs:
  * the triangles of the file may have opposite orientations, and other parts may touch the vertex.
  */
-async function fanAt(mesh: AnyMesh, from: PointLike): Promise<Fan | undefined> {
+async function fanAt({ mesh, components }: Divided, from: PointLike): Promise<Fan | undefined> {
   if ('face' in from && from.bary.every((weight) => weight !== 0)) return undefined;
   const place = await mesh.position(from);
   const { face: own } = await inFace(mesh, from);
-  // Without paths, `cut` divides a mesh into its components, whose vertices are all apart.
-  for (const { positions, triangles, faces } of await mesh.cut([])) {
+  for (const { positions, triangles, faces } of await components()) {
     const vertex = triangles.find(
       (corner, i) =>
         faces[Math.floor(i / 3)] === own && at(positions, corner).every((x, k) => x === place[k]),
