@@ -141,6 +141,26 @@ for (const [where, karcher] of Object.entries({ 'in the page': engine, 'in a wor
       }
     });
 
+    test('a site with points on parts that touch has the distances of each part there', async () => {
+      const corner = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+      const positions = [...corner, ...corner.slice(3).map((x) => -2 * x)];
+      const faces = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+      const other = faces.map((v) => (v === 0 ? 0 : v + 3)).toReversed();
+      const mesh = await karcher.meshFromArrays(positions, [...faces, ...other]);
+      assert.ok(kinds(mesh).includes('bowTie'));
+      // On each part, two far sites divide the faces at the common vertex, which the other part's
+      // point is near.
+      for (const [far, near0] of [
+        [[{ vertex: 1 }, { vertex: 2 }], { face: 6, bary: [0.01, 0.01, 0.98] }],
+        [[{ vertex: 4 }, { vertex: 5 }], { face: 0, bary: [0.98, 0.01, 0.01] }],
+      ]) {
+        const [one, two] = far;
+        const alone = await voronoi(mesh, far);
+        const { areas } = await voronoi(mesh, [[one, near0], two]);
+        near([areas[1]], [alone.areas[1]]);
+      }
+    });
+
     test('isolines do not cross from a fin to the sheet on which it stands', async () => {
       const places = [0, 1, 2].flatMap((x) => [x, 0, 0, x, 1, 0]);
       const sheet = [0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3];

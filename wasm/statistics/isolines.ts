@@ -11,7 +11,8 @@ import { type LevelCrossing, levelLines } from './level_lines.js';
  * counts. Lines that are not closed end on the boundary, or at triangles with a value that is not
  * finite. A level without points has no line.
  *
- * Lines of distances are those of `mesh.isolines` with the type `linear`.
+ * Lines of distances are those of `mesh.isolines` with the type `linear`, except at vertices where
+ * the surface only touches another part or itself: a vertex has one value in all its faces.
  *
  * @throws {KarcherError} badArgument unless there is one value for each vertex, and notFinite for a
  *   level that is not finite. The promise rejects with it.

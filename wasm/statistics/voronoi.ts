@@ -38,7 +38,8 @@ export interface VoronoiDiagram {
  * In every triangle, squared distances are interpolated linearly between the vertices. So the
  * borders are exact on a plane; on smooth surfaces their error is of the order of the squared edge
  * length. Each site takes one field of distances. If sites coincide, the first site has the cell,
- * and the others have empty cells.
+ * and the others have empty cells. Where a connected part of the surface touches itself at a vertex,
+ * all faces there count with the vertex's one distance.
  *
  * Rejects with `KarcherError` tooFewPoints without sites, or for a site without points, and as
  * `Mesh.distance` does.
@@ -60,7 +61,8 @@ export async function voronoi(
   const fans = await fansOf(mesh);
   const found = new NearestPieces(fans);
   for (const site of sites) {
-    found.add(await distancesOf(mesh, fans, site, await mesh.distance(site, options)));
+    const given = await mesh.distance(site, options);
+    found.add(await distancesOf(mesh, fans, { site, given, options }));
   }
   return {
     nearest: found.nearest(),
@@ -76,22 +78,27 @@ export async function voronoi(
 
 /**
  * The distances of a site to the vertices in all their fans. `given` has the distance of each vertex
- * in its nearest fan; parts that touch there are not reached.
+ * in its nearest fan. Where parts touch, each has the distances of the site's points on it.
  */
 async function distancesOf(
   mesh: AnyMesh,
   { corners, vertices, parts }: Fans,
-  site: Site,
-  given: Float64Array,
+  { site, given, options }: { site: Site; given: Float64Array; options: DistanceOptions },
 ): Promise<Float64Array> {
   if (!parts) return given;
-  const reached = new Set<number>();
+  const byPart = new Map<number, PointLike[]>();
   for (const point of [site].flat() as PointLike[]) {
-    reached.add(parts[corners[3 * (await inFace(mesh, point)).face]!]!);
+    const part = parts[corners[3 * (await inFace(mesh, point)).face]!]!;
+    byPart.set(part, [...(byPart.get(part) ?? []), point]);
+  }
+  const own = new Map<number, Float64Array>();
+  for (const [part, points] of byPart) {
+    own.set(part, byPart.size > 1 ? await mesh.distance(points, options) : given);
   }
   // A vertex of no face may be welded to another one.
-  reached.add(-1);
-  return Float64Array.from(vertices, (vertex, number) =>
-    reached.has(parts[number]!) ? given[vertex]! : Number.NaN,
+  own.set(-1, given);
+  return Float64Array.from(
+    vertices,
+    (vertex, number) => own.get(parts[number]!)?.[vertex] ?? Number.NaN,
   );
 }
