@@ -71,6 +71,57 @@ describe('a drawing at a limit', () => {
     );
   });
 
+  test('does not take what belongs to a refused object into another one', async () => {
+    openObjects(2000);
+    editor.letGo();
+    assert.equal(editor.begin(), false);
+    const { drawing } = editor.state;
+    await new parts.CurveEdits(editor, {}).append(point(9));
+    assert.equal(editor.state.drawing, drawing);
+    assert.equal(refusals.length, 2);
+  });
+
+  test('keeps the selection if the anchor of another curve of the pen is refused', () => {
+    openObjects(2000);
+    editor.replace({ ...figure, kind: 'pen' });
+    editor.letGo();
+    editor.setTool('insert');
+    const { drawing, selection, chosen, none } = editor.state;
+    const viewer = {
+      pick: () => ({ point: point(9) }),
+      linesAt: () => ({ curve: () => null, shorter: () => -1 }),
+    };
+    const snapping = { on: false, placesOn: () => false, pick: () => ({ point: point(9) }) };
+    const pen = new parts.PenGestures(editor, {}, viewer, snapping);
+    pen.take({ x: 0, y: 0 }).release();
+    assert.deepEqual(refusals, ['A drawing may have up to 2000 objects.']);
+    const { state } = editor;
+    assert.equal(state.drawing, drawing);
+    assert.deepEqual([state.selection, state.chosen, state.none], [selection, chosen, none]);
+  });
+
+  test('says nothing of a removal that a refused step would have brought', () => {
+    openObjects(1999);
+    editor.begin('polyline');
+    editor.run({ type: 'insert', index: 0, point: point(1) });
+    let removals = 0;
+    editor.begun.onRemoval = () => removals++;
+    const { drawing } = editor.state;
+    const steps = [0, 1].map((i) => ({
+      type: 'add',
+      index: 2000 + i,
+      object: parts.newObject(3000 + i, figure),
+    }));
+    editor.perform({
+      type: 'steps',
+      steps: [...steps, { type: 'activate', from: 2000, to: 3001 }],
+    });
+    assert.equal(editor.state.drawing, drawing);
+    assert.equal(removals, 0);
+    editor.begin('polyline');
+    assert.equal(removals, 1);
+  });
+
   test('has no more points in a curve than a file may have', () => {
     openObjects(1);
     const points = Array.from({ length: 10_001 }, () => point(1));

@@ -65,10 +65,13 @@ export class CurveEdits {
     private readonly session: Session,
   ) {}
 
-  /** Adds a control point after the others, unless the object is locked or hidden. */
+  /**
+   * Adds a control point after the others. If the object takes none, the point begins another one.
+   */
   append(point: SurfacePoint): Promise<void> {
     const { editor } = this;
-    if (!editor.isOpen || isDerived(editor.state.figure.kind)) editor.begin();
+    const begins = !editor.isOpen || isDerived(editor.state.figure.kind);
+    if (begins && !editor.begin()) return Promise.resolve();
     return this.#edit(({ points }) => ({
       command: { type: 'insert', index: points.length, point },
       selection: points.length,

@@ -432,7 +432,7 @@ export class Gestures {
       this.events.surfaceClicked(point);
       return;
     }
-    if (!this.editor.isOpen) this.editor.begin();
+    if (!this.editor.isOpen && !this.editor.begin()) return;
     const from = this.editor.state.figure.circle;
     const { diagonal } = this.session.client!.info;
     const to = from

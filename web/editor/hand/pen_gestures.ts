@@ -78,28 +78,29 @@ export class PenGestures {
 
   #place(anchor: SurfacePoint): Hold {
     const { editor } = this;
-    const { selection, chosen, figure } = editor.state;
+    const { selection, chosen, none, figure } = editor.state;
     const count = figure.points.length;
     const begins = !editor.isOpen || (count > 0 && !goesOn(this.state(false)));
     const index = begins ? 0 : count;
     const place = (point: ControlPoint) => {
       if (begins) editor.previewBegun('pen', { type: 'insert', index, point });
       else editor.preview({ type: 'insert', index, point });
-      editor.setSelection(index, begins ? [] : chosen);
+      editor.setSelection({ selection: index, chosen: begins ? [] : chosen });
     };
     place(anchor);
+    const restore = () => editor.setSelection({ selection, chosen, none });
     return {
       drag: (to) => {
         const after = this.tangentAt(anchor, to, to.shift);
         if (after) place(withTangents(anchor, { after, before: { length: null } }));
       },
       release: () => {
-        editor.commitDrag();
-        editor.select(index);
+        if (editor.commitDrag()) editor.select(index);
+        else restore();
       },
       cancel: () => {
         editor.cancelDrag();
-        editor.setSelection(selection, chosen);
+        restore();
       },
     };
   }

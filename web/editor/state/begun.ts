@@ -7,7 +7,7 @@ import type { State } from './state';
 export class Begun {
   #id: number | null;
 
-  /** A listener for the removal of an object. */
+  /** A listener for the removal of an object, which whoever carries it out calls. */
   onRemoval: () => void = () => {};
 
   constructor({ active }: Drawing) {
@@ -35,8 +35,8 @@ export class Begun {
 
   /**
    * The command together with the removal of the begun object, if another object is edited
-   * afterwards. `onRemoval` hears of the removal. If the begun object is finished, locked or a
-   * source, the result is the command alone.
+   * afterwards. If the begun object is finished, locked or a source, the result is the command
+   * alone.
    */
   gone(command: Command, base: Drawing): Command {
     const begun = this.#id === null ? undefined : objectOf(base, this.#id);
@@ -45,7 +45,6 @@ export class Begun {
     const index = after.objects.indexOf(begun);
     const isUsed = after.objects.some(({ figure }) => figure.derived?.sources.includes(begun.id));
     if (after.active === begun.id || index < 0 || isUsed) return command;
-    this.onRemoval();
     return { type: 'steps', steps: [command, { type: 'delete', index, object: begun }] };
   }
 }

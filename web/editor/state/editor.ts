@@ -66,9 +66,7 @@ export class Editor {
   onInterrupt: () => void = () => {};
   /** The function that returns the edited figure at the end of a drag of its points. */
   onEnded: (figure: Figure) => Figure = (figure) => figure;
-  /**
-   * The function that returns the side that a figure encloses in the view. A drag keeps this side.
-   */
+  /** The function that returns the side that a figure encloses in the view; drags keep it. */
   insideOf: (figure: Figure) => Inside | null = () => null;
 
   get state(): State {
@@ -94,15 +92,15 @@ export class Editor {
     this.#change({ ...part, tool: this.#resting }, true);
   }
 
-  /** Changes the whole drawing, as one step of the history. */
-  perform(command: Command | null, part: PartOfStep = {}): void {
-    if (!command) return;
+  /** Changes the whole drawing, as one step of the history; false if a limit refuses the step. */
+  perform(command: Command | null, part: PartOfStep = {}): boolean {
+    if (!command) return true;
     this.cancelDrag();
     const whole = this.begun.gone(command, this.#state.drawing);
     const drawing = apply(this.#state.drawing, whole);
-    if (this.#exceeds(command, drawing)) return;
-    record(this.#history, whole);
+    if (!this.#records(command, whole, drawing)) return false;
     this.#change({ drawing, ...part, tool: this.#resting }, true);
+    return true;
   }
 
   /**
@@ -149,18 +147,20 @@ export class Editor {
     this.previewCommand({ type: 'steps', steps: [begin, { type: 'figure', id, edit }] });
   }
 
-  /** Turns the drag into one step of the history. */
-  commitDrag(): void {
-    if (!this.#drag) return;
+  /** Turns the drag into one step of the history; false if a limit refuses the step. */
+  commitDrag(): boolean {
+    if (!this.#drag) return true;
     const { base } = this.#drag;
     const ended = this.#drag.command && this.#ended(this.#drag.command, base);
-    const command = ended && this.begun.gone(this.#withInside(ended), base);
+    const made = ended && this.#withInside(ended);
+    const command = made && this.begun.gone(made, base);
     const isAsShown = command === this.#drag.command;
     const drawing = isAsShown ? this.#state.drawing : apply(base, command!);
-    if (command && this.#exceeds(command, drawing)) return;
-    if (command && base !== drawing) record(this.#history, command);
+    const changes = made && command && base !== drawing;
+    if (changes && !this.#records(made, command, drawing)) return false;
     this.#drag = null;
     this.#change({ drawing, dragging: false, dragged: noNumbers }, false);
+    return true;
   }
 
   /**
@@ -255,7 +255,6 @@ export class Editor {
     const command = drawn ? activation(drawing, drawn.id) : deletion(drawing, [active]);
     if (!command) return;
     const whole = this.begun.gone(command, drawing);
-    if (!drawn) this.begun.onRemoval();
     const part = { selection: null, chosen: [], none: drawn !== undefined };
     this.#leave(whole, whole !== command || !drawn);
     this.#change({ drawing: apply(drawing, whole), ...part }, true);
@@ -266,6 +265,7 @@ export class Editor {
    * its own. If steps have been undone, it is no step, since redo must keep these steps.
    */
   #leave(command: Command, drops: boolean): void {
+    if (drops) this.begun.onRemoval();
     const isStep = drops && this.#history.undone.length === 0;
     if (isStep) record(this.#history, command);
     else recordActivation(this.#history, command);
@@ -286,8 +286,8 @@ export class Editor {
   }
 
   /** Selects objects, and a place of the edited object. The edited object stays the same. */
-  setSelection(selection: Selection, chosen: readonly number[]): void {
-    this.#change({ selection, chosen }, false);
+  setSelection(part: PartOfStep): void {
+    this.#change(part, false);
   }
 
   /** Selects objects and edits the last one, without a step (`recordActivation`). */
@@ -353,12 +353,14 @@ export class Editor {
     if (last !== undefined) this.choose([...chosen.filter((id) => id !== last), last]);
   }
 
-  /** Begins another object for the next drawing. */
-  begin(kind?: Kind): void {
+  /** Begins another object for the next drawing; false if a limit refuses it. */
+  begin(kind?: Kind): boolean {
     this.interrupt();
     this.setTool('insert');
-    this.perform(beginning(this.#state.drawing, kind), { selection: null, chosen: [] });
-    if (this.#state.chosen.length > 0) this.#change({ chosen: [] }, false);
+    const command = beginning(this.#state.drawing, kind);
+    const isBegun = this.perform(command, { selection: null, chosen: [] });
+    if (isBegun && this.#state.chosen.length > 0) this.#change({ chosen: [] }, false);
+    return isBegun;
   }
 
   /** Chooses the kind of the next drawing; a curve with points becomes another kind of curve. */
@@ -380,23 +382,19 @@ export class Editor {
     this.interrupt();
     const { drawing, selection } = this.#state;
     const ids = selectedObjects(this.#state);
-    const objects = drawing.objects.filter(({ id }) => ids.includes(id));
-    const changed = objects.filter(
-      ({ figure: { settings } }) =>
-        JSON.stringify({ ...settings, ...part }) !== JSON.stringify(settings),
-    );
-    if (objects.length < 2) {
-      const [object] = changed;
-      if (!object) return;
-      const from = object.figure.settings;
-      this.run({ type: 'settings', from, to: { ...from, ...part } });
+    const edit = ({ settings: from }: Figure) =>
+      ({ type: 'settings', from, to: { ...from, ...part } }) as const;
+    const changed = drawing.objects.filter(({ id, figure }) => {
+      const { from, to } = edit(figure);
+      return ids.includes(id) && JSON.stringify(to) !== JSON.stringify(from);
+    });
+    if (ids.length < 2) {
+      if (changed[0]) this.run(edit(changed[0].figure));
       return;
     }
     const steps = changed
       .filter(({ figure, locked }) => isCurve(figure.kind) && !locked)
-      .map(({ id, figure: { settings: from } }) =>
-        this.#commandOf({ type: 'settings', from, to: { ...from, ...part } }, id),
-      );
+      .map(({ id, figure }) => this.#commandOf(edit(figure), id));
     if (steps.length > 0) this.perform({ type: 'steps', steps }, { selection });
   }
 
@@ -462,22 +460,26 @@ export class Editor {
     return locked;
   }
 
-  /** Whether a step leads beyond a limit of what the page reads; if so, it is refused. */
-  #exceeds({ type }: Command, to: Drawing): boolean {
-    const why = type === 'draw' || excessOf(this.baseDrawing) ? null : excessOf(to);
-    if (!why) return false;
-    this.cancelDrag();
-    this.onRefusal(why);
+  /**
+   * Records a command, as a whole with what it removes. A command that leads beyond a limit of what
+   * the page reads is refused; the result is false then.
+   */
+  #records(command: Command, whole: Command, to: Drawing): boolean {
+    const why = command.type === 'draw' || excessOf(this.baseDrawing) ? null : excessOf(to);
+    if (why) {
+      this.cancelDrag();
+      this.onRefusal(why);
+      return false;
+    }
+    record(this.#history, whole);
+    if (whole !== command) this.begun.onRemoval();
     return true;
   }
 
   get #history(): History {
     const { mesh } = this.#state;
-    let history = this.#histories.get(mesh);
-    if (!history) {
-      history = historyOf();
-      this.#histories.set(mesh, history);
-    }
+    const history = this.#histories.get(mesh) ?? historyOf();
+    this.#histories.set(mesh, history);
     return history;
   }
 
