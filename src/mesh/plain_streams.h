@@ -63,7 +63,7 @@ class streambuf {
 
 class stringbuf : public streambuf {
  public:
-  explicit stringbuf(string text) : text_(move(text)) {
+  explicit stringbuf(string text) : text_(std::move(text)) {
     setg(text_.data(), text_.data(), text_.data() + text_.size());
   }
 
