@@ -119,13 +119,19 @@ for (const [where, karcher] of Object.entries({ 'in the page': engine, 'in a wor
       }
     });
 
-    test('parts with a common vertex have cells of their own', async () => {
+    /** A tetrahedron, and one of twice its size, which share a vertex. */
+    const twoTetrahedra = async () => {
       const corner = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
       const positions = [...corner, ...corner.slice(3).map((x) => -2 * x)];
       const faces = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
       const other = faces.map((v) => (v === 0 ? 0 : v + 3)).toReversed();
       const mesh = await karcher.meshFromArrays(positions, [...faces, ...other]);
       assert.ok(kinds(mesh).includes('bowTie'));
+      return mesh;
+    };
+
+    test('parts with a common vertex have cells of their own', async () => {
+      const mesh = await twoTetrahedra();
       const area = (3 + Math.sqrt(3)) / 2;
       const sites = [1, 6].map((face) => ({ face, bary: [0.25, 0.25, 0.5] }));
       for (const order of [sites, sites.toReversed()]) {
@@ -142,12 +148,7 @@ for (const [where, karcher] of Object.entries({ 'in the page': engine, 'in a wor
     });
 
     test('a site with points on parts that touch has the distances of each part there', async () => {
-      const corner = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
-      const positions = [...corner, ...corner.slice(3).map((x) => -2 * x)];
-      const faces = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
-      const other = faces.map((v) => (v === 0 ? 0 : v + 3)).toReversed();
-      const mesh = await karcher.meshFromArrays(positions, [...faces, ...other]);
-      assert.ok(kinds(mesh).includes('bowTie'));
+      const mesh = await twoTetrahedra();
       // On each part, two far sites divide the faces at the common vertex, which the other part's
       // point is near.
       for (const [far, near0] of [
