@@ -116,9 +116,9 @@ describe('on the stage', () => {
   };
   const near = 0.01;
 
-  /** The parts of a line of these places on the stage, with a margin in pixels. */
-  const partsOf = (vantage, places, margin = 100) => [
-    ...vantage.seenParts(Float32Array.from(places.flat()), margin),
+  /** The parts of a line of these places on the stage, where it is in view with its width. */
+  const partsOf = (vantage, places, width = 200, onSurface = false) => [
+    ...vantage.seenParts(Float32Array.from(places.flat()), { width, onSurface }),
   ];
   const scale = size.height / 2 / Math.tan(Math.PI / 12);
   /** The place on the stage of a place in front of the camera of `viewOf(open, 0)`. */
@@ -158,7 +158,7 @@ describe('on the stage', () => {
     const margin = 8;
     // Three sides of a square around the camera, which cross the view in front of it.
     const places = [1, -3, -3, 1].map((z, i) => [[-3, -3, 3, 3][i], 0.2, z]);
-    const [part, ...more] = partsOf(vantage, places, margin);
+    const [part, ...more] = partsOf(vantage, places, 2 * margin);
     assert.deepEqual(more, []);
     assert.deepEqual([...new Set(part.segments)], [1]);
     assert.ok(Math.abs(part.x[0] + margin) < 1e-3, `${part.x[0]}`);
@@ -167,7 +167,7 @@ describe('on the stage', () => {
     for (const seen of part.y) assert.ok(Math.abs(seen - y) < 1e-3, `${seen}, not ${y}`);
     assert.ok(part.x.length < 500, `${part.x.length} places`);
     const above = places.map(([x, , z]) => [x, 3, z]);
-    assert.deepEqual(partsOf(vantage, above, margin), []);
+    assert.deepEqual(partsOf(vantage, above, 2 * margin), []);
   });
 
   test('a long segment is seen as far as nothing covers it', () => {
@@ -177,9 +177,13 @@ describe('on the stage', () => {
       [-1, -0.2, 0],
       [1, 0.3, 0],
     ];
-    const [{ x, y, hidden, segments }, ...more] = partsOf(vantage, places);
+    const [visible, covering, ...more] = partsOf(vantage, places);
     assert.deepEqual(more, []);
-    assert.deepEqual([...new Set(segments)], [0]);
+    assert.deepEqual([...new Set([...visible.segments, ...covering.segments])], [0]);
+    const [x, y, hidden] = ['x', 'y', 'hidden'].map((of) => [
+      ...visible[of],
+      ...covering[of].slice(1),
+    ]);
     // The ray to the lid's edge meets the plane z = 0 beyond the edge.
     const covered = (edge * 6) / 5.9;
     const at = vantage.onStage(new Vector3(covered, -0.2 + ((covered + 1) / 2) * 0.5, 0));
@@ -189,6 +193,57 @@ describe('on the stage', () => {
     }
     const first = hidden.indexOf(true);
     assert.ok(x[first] - x[first - 1] < 5, `${x[first - 1]} to ${x[first]}`);
+  });
+
+  test('each visible part of a line is as wide, and has such dashes, as it is near', async () => {
+    const vantage = viewOf(open, 0);
+    // The line passes the camera: its ends appear at the distances 2 and 4, and its middle nowhere.
+    const places = [
+      [-0.1, 0, -2],
+      [0.1, 0, -2],
+      [0.1, 5, -2],
+      [0.1, 5, -4],
+      [0.1, 0, -4],
+      [-0.1, 0, -4],
+    ];
+    const line = Float32Array.from(places.flat());
+    const parts = [...vantage.seenParts(line, { width: 0.02, onSurface: true })];
+    assert.equal(parts.length, 2);
+    const looks = parts.map(({ middle }) => [
+      vantage.widthOf({ width: 0.02, onSurface: true }, middle),
+      ...vantage.dashesOf([0.03, 0.02], middle).split(' ').map(Number),
+    ]);
+    for (const [k, length] of [0.02, 0.03, 0.02].entries()) {
+      for (const [part, away] of [2, 4].entries()) {
+        const wanted = (scale * length) / away;
+        const off = Math.abs(looks[part][k] - wanted) / wanted;
+        assert.ok(off < 0.02, `${looks[part][k]}, not ${wanted}`);
+      }
+    }
+    const { panelSvg } = await load('paper/view/panel_svg.ts');
+    const svg = panelSvg({
+      ...{ vantage, seen: () => {}, places: [], picture: '', numbers: '{}' },
+      colorOf: () => '#123456',
+      lines: [{ id: 'exactPath', polylines: [line], status: [new Uint8Array(6).fill(1)] }],
+    });
+    const [first, second] = [...svg.matchAll(/stroke-dasharray="([\d.]+) /g)].map(([, dash]) =>
+      Number(dash),
+    );
+    assert.ok(Math.abs(first - 2 * second) < 0.05, `${first}, ${second}`);
+  });
+
+  test('a hidden part of a line is measured where it is, and so is the visible one', () => {
+    const vantage = viewOf({ ...lidded(0), toScene: (line) => line }, 6);
+    const parts = partsOf(vantage, [
+      [-0.5, 0, 0],
+      [0.5, 0, 0],
+    ]);
+    assert.deepEqual(
+      parts.map(({ hidden }) => hidden.every(Boolean)),
+      [false, true],
+    );
+    const [visible, hidden] = parts.map(({ middle }) => middle);
+    assert.ok(visible.x < -0.2 && hidden.x > 0.2, `${visible.x}, ${hidden.x}`);
   });
 
   test('the SVG of a figure’s panel has only what lies in front of the camera', async () => {

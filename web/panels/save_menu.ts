@@ -12,7 +12,7 @@ import {
   partsOfSvg,
   type Drawing as SvgDrawing,
 } from '../export/svg';
-import { type DrawnObject, isBlank, type LineStyle } from '../model/drawing';
+import { type DrawnObject, defaultStyle, isBlank, type LineStyle } from '../model/drawing';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 import { isEmpty, isRound, type Vector } from '../model/figure';
 import { gathered } from '../model/gathered';
@@ -21,7 +21,7 @@ import { originsText } from '../model/origins';
 import type { ViewerColors } from '../viewer/colors';
 import { fineDash } from '../viewer/fat_line';
 import { dotStyle, fatStyle } from '../viewer/object_lines';
-import type { SeenLine, Vantage } from '../viewer/vantage';
+import type { Vantage } from '../viewer/vantage';
 import type { Viewer } from '../viewer/viewer';
 import { download } from './download';
 import { byId, formatBytes } from './elements';
@@ -326,28 +326,26 @@ function* seenLines(
   vantage: Vantage,
   colors: ViewerColors,
 ): Generator<DrawnLine> {
+  const colorOf = ({ color }: LineStyle) => color ?? colors.curve;
+  /** The parts of a line, each as wide and with such dashes as it is near. */
   function* drawn(
     line: Float32Array,
-    look: Omit<DrawnLine, 'lost' | keyof SeenLine>,
+    style: LineStyle,
+    named: Pick<DrawnLine, 'object' | 'visibleOnly'>,
     isLost?: (segment: number) => boolean,
   ): Generator<DrawnLine> {
-    const lost = { color: colors.lost, dashes: vantage.dashesOf(fineDash, line) };
+    const { dash } = fatStyle(style, viewer.surface);
     // The round ends of a part lie outside the stage.
-    for (const { segments, ...part } of vantage.seenParts(line, look.width / 2)) {
+    for (const { segments, middle, ...part } of vantage.seenParts(line, style)) {
       const has = (segment: number) => isLost!(segments[segment]!);
-      yield { ...part, ...look, ...(isLost && { lost: { ...lost, has } }) };
+      const lost = { color: colors.lost, dashes: vantage.dashesOf(fineDash, middle), has };
+      yield {
+        ...{ ...part, ...named, color: colorOf(style), width: vantage.widthOf(style, middle) },
+        ...(dash && { dashes: vantage.dashesOf(dash, middle) }),
+        ...(isLost && { lost }),
+      };
     }
   }
-  const colorOf = ({ color }: LineStyle) => color ?? colors.curve;
-  const styled = (style: LineStyle, line: Float32Array) => {
-    const { dash } = fatStyle(style, viewer.surface);
-    const dashes = dash && vantage.dashesOf(dash, line);
-    return {
-      color: colorOf(style),
-      width: vantage.widthOf(style, line),
-      ...(dashes && { dashes }),
-    };
-  };
   const visibleOnly = !viewer.hiddenLines;
   const named = (object: DrawnObject) => ({ visibleOnly, object: titled(object) });
   function* dots(points: readonly SurfacePoint[], style: LineStyle): Generator<DrawnLine> {
@@ -361,20 +359,20 @@ function* seenLines(
   }
   for (const { id, style, lines, points, center } of others) {
     const object = objects.find((one) => one.id === id);
-    for (const line of lines) {
-      yield* drawn(line, { ...styled(style, line), ...(object && named(object)) });
-    }
+    for (const line of lines) yield* drawn(line, style, object ? named(object) : {});
     for (const dot of dots(center ? [...points, center] : points, style)) {
       yield { ...dot, ...(object && named(object)) };
     }
   }
-  for (const leg of legs) yield* drawn(leg, { color: colors.polygon, width: 1.2 });
-  const own = (line: Float32Array) => ({ ...styled(active, line), ...named(active) });
+  const polygon = { ...defaultStyle, color: colors.polygon, width: 1.2 };
+  for (const leg of legs) yield* drawn(leg, polygon, {});
   if (curve) {
     const { polyline, polylineStatus } = curve;
-    yield* drawn(polyline, own(polyline), (segment) => polylineStatus[segment + 1] === 1);
+    yield* drawn(polyline, active, named(active), (at) => polylineStatus[at + 1] === 1);
   }
-  for (const { polyline } of isolines?.lines ?? []) yield* drawn(polyline, own(polyline));
+  for (const { polyline } of isolines?.lines ?? []) {
+    yield* drawn(polyline, active, named(active));
+  }
   for (const dot of dots(single, active)) yield { ...dot, ...named(active) };
 }
 

@@ -9,10 +9,18 @@ export interface SeenLine {
   hidden: boolean[];
 }
 
-/** A part of a polyline on the stage, with the index of the polyline's segment for each of its own. */
+/**
+ * A part of a polyline on the stage, either visible or hidden, with the index of the polyline's
+ * segment for each of its own.
+ */
 export interface SeenPart extends SeenLine {
   segments: number[];
+  /** The place at the middle of the part, in the scene. */
+  middle: Vector3;
 }
+
+/** A line's width in its unit. */
+type Width = Pick<LineStyle, 'width' | 'onSurface'>;
 
 /** The visible point of a line that appears nearest to a place of the stage. */
 export interface NearestSeen {
@@ -77,13 +85,13 @@ export class Vantage {
   }
 
   /**
-   * The parts of a polyline, in the surface's coordinates, in the view and a margin around it, as
-   * they appear on the stage. A part has extra places on long segments, which may be hidden between
-   * their ends.
+   * The parts of a polyline, in the surface's coordinates, where a line of a width is in the view,
+   * as they appear on the stage. A part has extra places on long segments, which may be hidden
+   * between their ends.
    */
-  *seenParts(polyline: Float32Array, margin: number): Generator<SeenPart> {
+  *seenParts(polyline: Float32Array, width: Width): Generator<SeenPart> {
     const places = placesIn(this.surface?.toScene(polyline));
-    const heights = places.map((place) => this.#heights(place, margin));
+    const heights = places.map((place) => this.#heights(place, this.seenWidth(width, place) / 2));
     let part: Vector3[] = [];
     let segments: number[] = [];
     for (const [segment, from] of places.slice(0, -1).entries()) {
@@ -100,9 +108,27 @@ export class Vantage {
         segments.push(...added.map(() => segment));
       }
       if (part.length > 0 && (leaves < 1 || segment === places.length - 2)) {
-        yield { ...this.#onStage(part), segments };
+        yield* this.#runs(part, segments);
         [part, segments] = [[], []];
       }
+    }
+  }
+
+  /** The visible and the hidden parts of a line of the scene. */
+  *#runs(places: readonly Vector3[], segments: readonly number[]): Generator<SeenPart> {
+    const { x, y, hidden } = this.#onStage(places);
+    const isHidden = (segment: number) => hidden[segment] && hidden[segment + 1];
+    let first = 0;
+    for (let last = 1; last <= segments.length; last++) {
+      if (last < segments.length && isHidden(last) === isHidden(first)) continue;
+      const [xs, ys, ends] = [x, y, hidden].map((all) => all.slice(first, last + 1)) as [
+        number[],
+        number[],
+        boolean[],
+      ];
+      const middle = places[Math.floor((first + last + 1) / 2)]!;
+      yield { x: xs, y: ys, hidden: ends, segments: segments.slice(first, last), middle };
+      first = last;
     }
   }
 
@@ -190,31 +216,19 @@ export class Vantage {
   }
 
   /** The width of a line in CSS pixels, at a point of the scene where the surface faces the view. */
-  seenWidth({ width, onSurface }: LineStyle, position: Vector3): number {
+  seenWidth({ width, onSurface }: Width, position: Vector3): number {
     return onSurface ? width / this.reach(position, 1) : width;
   }
 
-  /**
-   * The visible width at the middle of a polyline in the surface's coordinates, rounded to a
-   * hundredth of a CSS pixel.
-   */
-  widthOf(style: LineStyle, polyline: Float32Array): number {
-    return rounded(this.seenWidth(style, this.#middleOf(polyline)));
+  /** The visible width at a point of the scene, rounded to a hundredth of a CSS pixel. */
+  widthOf(style: Width, position: Vector3): number {
+    return rounded(this.seenWidth(style, position));
   }
 
-  /**
-   * The visible lengths of a dash and a gap of the scene at the middle of a polyline in the
-   * surface's coordinates, for an SVG.
-   */
-  dashesOf([dash, gap]: readonly [number, number], polyline: Float32Array): string {
-    const pixel = this.reach(this.#middleOf(polyline), 1) * this.surface!.frame.scale;
+  /** The visible lengths of a dash and a gap of the scene at a point of it, for an SVG. */
+  dashesOf([dash, gap]: readonly [number, number], position: Vector3): string {
+    const pixel = this.reach(position, 1) * this.surface!.frame.scale;
     return `${rounded(dash / pixel)} ${rounded(gap / pixel)}`;
-  }
-
-  #middleOf(polyline: Float32Array): Vector3 {
-    const middle = 3 * Math.floor(polyline.length / 6);
-    const [x = 0, y = 0, z = 0] = polyline.subarray(middle, middle + 3);
-    return this.surface!.inScene([x, y, z]);
   }
 }
 

@@ -43,10 +43,11 @@ function drawnLines(
 ): DrawnLine[] {
   const { width } = lineStyles[id];
   return polylines.flatMap((polyline, k) => {
-    const dashes = vantage.dashesOf(fineDash, polyline);
-    return [...vantage.seenParts(polyline, width / 2)].map(({ segments, ...part }) => {
+    const parts = [...vantage.seenParts(polyline, { width, onSurface: false })];
+    return parts.map(({ segments, middle, ...part }) => {
       const has = (segment: number) => status[k]?.[segments[segment]! + 1] === 1;
-      return { ...part, color, width, lost: { color, dashes, has } };
+      const lost = { color, dashes: vantage.dashesOf(fineDash, middle), has };
+      return { ...part, color, width, lost };
     });
   });
 }
