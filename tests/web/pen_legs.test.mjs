@@ -277,6 +277,20 @@ describe('legs of the pen', () => {
     }
   });
 
+  test('stay on their way around when a click turns their anchor into a corner', async () => {
+    await drawnOut([along(-0.3)]);
+    await release();
+    const pen = new page.PenGestures(page.editor, page.session, null, null);
+    pen.convert(1);
+    await page.settled();
+    assert.equal(figure().points[1].tangents, undefined);
+    assert.deepEqual(legs(), [true, true, false]);
+    isNear(lengthOf(page.session.view.curve.legs[1]), 1.9);
+    page.editor.undo();
+    assert.ok(figure().points[1].tangents);
+    assert.deepEqual(legs(), [true, true, false]);
+  });
+
   test('beside an inserted anchor are stored only if they have points', async () => {
     await drawnOut();
     await release();

@@ -171,14 +171,16 @@ export class PenGestures {
   }
 
   /**
-   * Turns an anchor with handles into a corner, and an anchor without handles into a smooth one.
+   * Turns an anchor with handles into a corner, and an anchor without handles into a smooth one. The
+   * legs on both sides keep their ways.
    */
   convert(index: number): void {
     const { figure } = this.editor.state;
     const from = figure.points[index];
     if (!from) return;
     const tangents = from.tangents ? undefined : this.#alongChord(index);
-    this.editor.run({ type: 'change', index, from, to: withTangents(from, tangents) }, index);
+    const points = figure.points.with(index, withTangents(from, tangents));
+    this.editor.replace({ ...figure, points }, index);
   }
 
   /**
