@@ -87,6 +87,27 @@ test('lines that stay the same are not drawn anew with the others of their style
   );
 });
 
+test('the surface keeps clear of lines and dots as wide as they are', async () => {
+  const { Halos } = await load('viewer/halos.ts');
+  const { dotStyle } = await load('viewer/object_lines.ts');
+  const halos = new Halos();
+  const wide = { ...style, width: 30 };
+  const reachOf = (...drawn) => {
+    halos.show(
+      drawn.map((one) => ({ style: wide, lines: [line], dots: [], ...one })),
+      [],
+      [],
+    );
+    return halos.reach;
+  };
+  const rim = reachOf();
+  const isWide = (width, ...drawn) => assert.equal(reachOf(...drawn) - rim, width / 2);
+  isWide(wide.width, {}, { style });
+  isWide(dotStyle(wide).width, { dots: [line] }, {});
+  // Lines in the unit lie on the surface, as do their dots.
+  isWide(wide.width, {}, { style: { ...wide, onSurface: true }, dots: [line] });
+});
+
 describe('a fill with a pattern', () => {
   let regions;
   before(async () => {

@@ -1,7 +1,7 @@
 import { Color, type Vector3 } from 'three';
 import { defaultStyle } from '../model/drawing';
 import { isAmongShades, litSurface, rimColor, type ViewerColors } from './colors';
-import { type ObjectDrawing, ObjectLines } from './object_lines';
+import { dotStyle, type ObjectDrawing, ObjectLines } from './object_lines';
 import type { Surface } from './surface';
 
 type Drawn = Omit<ObjectDrawing, 'id' | 'locked'>;
@@ -41,7 +41,7 @@ export class Halos {
   readonly #all = [this.#inside, this.#halo, this.#seam, this.#hover, this.#rim];
   readonly objects = this.#all.map(({ object }) => object);
   #colors: ViewerColors | null = null;
-  /** Half the width of the widest line with its halo, in CSS pixels. */
+  /** Half the width of the widest line or dot with its halo, in CSS pixels. */
   reach = 0;
 
   set surface(surface: Surface) {
@@ -63,7 +63,9 @@ export class Halos {
     this.#seam.show(around(chosen));
     this.#hover.show(around(hovered));
     this.#rim.show(all.flatMap((one) => this.#rimOf(one)));
-    const widths = all.map(({ style: { width, onSurface } }) => (onSurface ? 0 : width));
+    const widths = all
+      .filter(({ style }) => !style.onSurface)
+      .map(({ style, dots }) => (dots.length > 0 ? dotStyle(style) : style).width);
     const widest = Math.max(0, ...widths);
     this.reach = (widest + (chosen.length > 0 ? haloWider : rimWider)) / 2;
   }
