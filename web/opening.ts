@@ -146,9 +146,9 @@ export class Opening {
   }
 
   /** Keeps a surface's file in this browser; reports files that a reload will lose. */
-  async #keep(key: string, file: File): Promise<void> {
+  async #keep(key: string, file: File, made = false): Promise<void> {
     this.#file = { key, file };
-    const removed = await keepFile(key, file);
+    const removed = await keepFile(key, file, made);
     if (!removed) {
       showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
     }
@@ -331,7 +331,7 @@ export class Opening {
       history.pushState(null, '', location.hash);
       const along = all === 0 ? '' : ` ${came} of ${formatCount(all, 'object')} came along.`;
       showNote(`You work on ${title}.${along} The browser’s Back leads to the whole.`);
-      await this.#keep(key, file);
+      await this.#keep(key, file, true);
     } catch (error) {
       showError(`${name} could not become the surface. ${sentenceOf(error)}`);
     }

@@ -131,6 +131,38 @@ describe('work on a part', () => {
     await tab.close();
   });
 
+  test('a part, which no file of the user has, stays in the browser when files need its room', async () => {
+    const { tab } = await cutSphere();
+    const { page } = tab;
+    await button(tab, 'Work on Part 2').click();
+    await onFile(tab);
+    const { mesh } = await tab.state();
+    const tetrahedron = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
+    // There is room for the part and one more file.
+    await page.evaluate(async (length) => {
+      const files = await new Promise((resolve) => {
+        indexedDB.open('karcher', 1).onsuccess = ({ target }) => {
+          const store = target.result.transaction('files').objectStore('files');
+          store.getAll().onsuccess = (all) => resolve(all.target.result);
+        };
+      });
+      const quota = 2 * (files[0].content.size + 1.5 * length);
+      navigator.storage.estimate = async () => ({ quota, usage: 0 });
+    }, tetrahedron.length);
+    for (const name of ['first.obj', 'second.obj']) {
+      await tab.drop(name, `# ${name}\n${tetrahedron}`);
+      await page.waitForFunction((end) => window.karcherPage.state().mesh.endsWith(end), name);
+      await tab.settled();
+    }
+    await page.getByText('first.obj is no longer kept by this browser').waitFor();
+    await page.evaluate((key) => {
+      location.hash = `mesh=${key}`;
+    }, mesh);
+    await page.waitForFunction((key) => window.karcherPage.state().mesh === key, mesh);
+    await tab.settled();
+    await tab.close();
+  });
+
   test('a saved part has the curves on it, except in STL', async () => {
     const { tab } = await cutSphere();
     const { page } = tab;

@@ -104,7 +104,11 @@ async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
 }
 
 /** A stored file. Earlier versions stored bytes, which the page still reads. */
-type StoredFile = ({ content: Blob } | { bytes: Uint8Array<ArrayBuffer> }) & { opened: number };
+type StoredFile = ({ content: Blob } | { bytes: Uint8Array<ArrayBuffer> }) & {
+  opened: number;
+  /** Whether the page made the file, so that the user has none. */
+  made?: boolean;
+};
 
 const contentOf = (file: StoredFile) => ('content' in file ? file.content : new Blob([file.bytes]));
 
@@ -121,11 +125,15 @@ async function roomForFiles(): Promise<number> {
 }
 
 /**
- * Keeps a file, and removes those that were opened longest ago where there is no room for all.
- * Returns the keys of the removed files; null if the file is too long, or if the browser keeps no
- * files.
+ * Keeps a file, and removes those that were opened longest ago where there is no room for all. Files
+ * that the page `made` go last, since the user could not open them again. Returns the keys of the
+ * removed files; null if the file is too long, or if the browser keeps no files.
  */
-export async function keepFile(key: string, content: Blob): Promise<string[] | null> {
+export async function keepFile(
+  key: string,
+  content: Blob,
+  made: boolean,
+): Promise<string[] | null> {
   if (content.size > longestFile) return null;
   try {
     const room = await roomForFiles();
@@ -138,9 +146,10 @@ export async function keepFile(key: string, content: Blob): Promise<string[] | n
         key: keys[i]!,
         size: contentOf(file).size,
         at: lastOpened(file, keys[i]!),
+        made: file.made ?? false,
       }))
       .filter((other) => other.key !== key)
-      .toSorted((a, b) => b.at - a.at);
+      .toSorted((a, b) => Number(b.made) - Number(a.made) || b.at - a.at);
     let bytes = content.size;
     const removed: string[] = [];
     for (const other of others) {
@@ -148,7 +157,7 @@ export async function keepFile(key: string, content: Blob): Promise<string[] | n
       if (bytes > room) removed.push(other.key);
     }
     for (const one of removed) files.delete(one);
-    files.put({ content, opened: Date.now() } satisfies StoredFile, key);
+    files.put({ content, opened: Date.now(), made } satisfies StoredFile, key);
     await kept;
     for (const one of removed) forget(() => localStorage, openedAgain(one));
     return removed;
