@@ -53,7 +53,7 @@ import { Tour } from './panels/tour';
 import { TransformPanel } from './panels/transform_panel';
 import { UnitChoice } from './panels/unit_choice';
 import { ViewMenu } from './panels/view_menu';
-import { addressOf, linkOf, longestLink, saveChanges } from './saving';
+import { longestLink, saveChanges } from './saving';
 import { CombLayer } from './viewer/comb_layer';
 import { DistanceLayer } from './viewer/distance_layer';
 import { dotAt, type ObjectDrawing } from './viewer/object_lines';
@@ -463,15 +463,10 @@ export async function start(): Promise<void> {
       showError(
         'This browser has no room for this drawing: a reload would lose it. Save it as a JSON file.',
       ),
+    (found) => opening.link(found),
   );
   viewer.onFrame(viewChanged);
   onKeeping((kept) => status.setKept(kept));
-  window.addEventListener('hashchange', ({ newURL }) => {
-    // `location` may differ from `newURL`, if the page has replaced the address in the meantime.
-    const { hash } = new URL(newURL);
-    const found = linkOf(hash);
-    if (found && hash.slice(1) !== addressOf(editor.state, viewer.place)) void opening.link(found);
-  });
   exposeState(editor, session, viewer, distances);
   opening.show(viewer);
   if (await first) tour.greet();

@@ -50,19 +50,24 @@ export function keepDrawing(
  * browser's storage, and the history in the tab's storage. It waits for a pause, since browsers
  * limit how often an address may change. It does not save a surface that stands in for another,
  * since the user may open the original later. If a reload would lose the drawing, it calls
- * `onLost`, but not again before a successful save. Call the returned function when the view may
- * have changed.
+ * `onLost`, but not again before a successful save. An address to which the user navigates is given
+ * to `open`, and stays until its drawing is open. Call the returned function when the view may have
+ * changed.
  */
 export function saveChanges(
   editor: Editor,
   viewNow: () => ViewPlace | null,
-  onLost: () => void = () => {},
+  onLost: () => void,
+  open: (found: FoundLink) => Promise<unknown>,
 ): () => void {
   let timer = 0;
   let viewTimer = 0;
   let viewShown = '';
   let lost = false;
+  /** The number of addresses that are being opened. */
+  let arriving = 0;
   const saveAddress = (state: State) => {
+    if (arriving > 0) return;
     const before = location.hash.slice(1);
     const address = addressOf(state, viewNow());
     if (before === address) return;
@@ -96,8 +101,16 @@ export function saveChanges(
     save(editor.state);
   };
   window.addEventListener('pagehide', flush);
-  // An address to which the user navigates is the newest one again.
-  window.addEventListener('hashchange', () => rememberInTab('overtaken', ''));
+  window.addEventListener('hashchange', ({ newURL }) => {
+    // An address to which the user navigates is the newest one again.
+    rememberInTab('overtaken', '');
+    // `location` may differ from `newURL`, if the page has replaced the address in the meantime.
+    const { hash } = new URL(newURL);
+    const found = linkOf(hash);
+    if (!found || hash.slice(1) === addressOf(editor.state, viewNow())) return;
+    arriving++;
+    void open(found).finally(() => arriving--);
+  });
   document.addEventListener('visibilitychange', () => {
     if (document.hidden) flush();
   });

@@ -285,6 +285,59 @@ describe('no work is lost', () => {
     await tab.page.close();
   });
 
+  test('the address of Back stays while its surface still opens, even if the view changes', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const { figure: document } = await tab.state();
+    await tab.pastSaving();
+    const address = tab.page.url();
+    const at = (start) =>
+      tab.page.waitForFunction((key) => window.karcherPage.state().mesh.startsWith(key), start);
+    await tab.page.evaluate(() => {
+      location.hash = 'mesh=torus:2000';
+    });
+    await at('torus');
+    await tab.settled();
+    await tab.pastSaving();
+    for (const arrives of [false, true]) {
+      // The engine of the surface gets no work yet.
+      await tab.page.evaluate(() => {
+        window.held = [];
+        window.Worker = class extends Worker {
+          postMessage(...message) {
+            const send = () => super.postMessage(...message);
+            if (window.held) window.held.push(send);
+            else send();
+          }
+        };
+      });
+      await tab.page.goBack();
+      await tab.page.waitForFunction(() => window.held.length > 0);
+      const middle = await tab.middle();
+      await tab.page.mouse.move(middle.x, middle.y);
+      await tab.page.mouse.wheel(0, -240);
+      await tab.still();
+      await tab.pastSaving();
+      assert.equal((await tab.state()).mesh, 'torus:2000');
+      assert.equal(tab.page.url(), address);
+      if (arrives) {
+        await tab.page.evaluate(() => {
+          const { held } = window;
+          window.held = null;
+          for (const send of held) send();
+        });
+      } else await tab.page.reload();
+      await at('sphere');
+      await tab.settled();
+      assert.deepEqual((await tab.state()).figure, document);
+      await tab.page.goForward();
+      await at('torus');
+      await tab.settled();
+      await tab.pastSaving();
+    }
+    await tab.close();
+  });
+
   inLongRun('a link pasted over the address is shown, and can be taken back', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
