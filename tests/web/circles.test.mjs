@@ -258,4 +258,37 @@ describe('circles', () => {
     assert.deepEqual(linesOf(await tab.view()), linesOf(view));
     await tab.close();
   });
+
+  test('keep their rim if a click would begin one more object than a drawing may have', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle');
+    await tab.click([-60, 0], [-20, 0]);
+    const [circle] = (await tab.state()).drawing.objects;
+    const { center } = circle.figure.circle;
+    const point = { ...circle.figure, kind: 'polyline', circle: null, points: [center] };
+    const others = Array.from({ length: 1999 }, (_, i) => ({
+      ...{ ...circle, id: i + 1, visible: false },
+      figure: point,
+    }));
+    const objects = [...others, { ...circle, id: 2000 }];
+    const drawing = { format: 'karcher-drawing', version: 1, active: 2000, objects };
+    const link = 'mesh=sphere:1500&kind=circle&method=karcher';
+    const text = JSON.stringify({ format: 'karcher-curve', version: 2, link, drawing });
+    await tab.drop('full.json', text);
+    await tab.page.waitForFunction(
+      () => window.karcherPage.state().drawing.objects.length === 2000,
+    );
+    await tab.settled();
+    await tab.page.keyboard.press('Escape');
+    await tab.page.keyboard.press('Escape');
+    await tab.page.locator('#tool-circle').click();
+    await tab.settled();
+    const { x, y } = await tab.middle();
+    await tab.page.mouse.click(x + 60, y + 40);
+    await tab.page.getByText('A drawing may have up to 2000 objects.').first().waitFor();
+    await tab.settled();
+    const after = (await tab.state()).drawing.objects;
+    assert.equal(after.length, 2000);
+    assert.deepEqual(after.at(-1).figure.circle, circle.figure.circle);
+    await tab.close();
+  });
 });
