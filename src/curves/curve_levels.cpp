@@ -15,6 +15,13 @@ namespace {
 /// is twice the usual largest error of fast fields.
 constexpr double kSameLength = 0.02;
 
+/// The mean edge of a point's face.
+double edgeAt(const Geometry& geometry, const SurfacePoint& point) {
+  const int h = 3 * point.face;
+  const Array<double>& lengths = geometry.edgeLength;
+  return (lengths[h] + lengths[h + 1] + lengths[h + 2]) / 3;
+}
+
 }  // namespace
 
 /// The control polygon itself, without legs. Its pieces are the segments.
@@ -58,8 +65,8 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
 /// distance. If the distance is smaller, a shorter path goes another way, for instance around a
 /// tube, and centers of mass would jump to it. If the distance is larger, the field is wrong, since
 /// the tightened legs are a path. Distances of less than an edge have the error of the blend beside
-/// the field's point, which is relative to the edges. The function releases the field's memory,
-/// since the curve may need no other field.
+/// the field's point, which is relative to the edges there. The function releases the field's
+/// memory, since the curve may need no other field.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   bool areShortest = true;
@@ -77,8 +84,8 @@ bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
       const SurfacePoint& start = polygon.points[segment.points[from]].point;
       const SurfacePoint& end = polygon.points[segment.points[to]].point;
       field.setPointFor(start, end, (1 + kSameLength) * tight);
-      return std::abs(distanceTo(end, field) - tight) <=
-             kSameLength * std::max(tight, geometry.meanEdge);
+      const double least = std::max(edgeAt(geometry, start), edgeAt(geometry, end));
+      return std::abs(distanceTo(end, field) - tight) <= kSameLength * std::max(tight, least);
     };
     areShortest = std::all_of(polygon.pieces.begin(), polygon.pieces.end(),
                               [&](const SegmentLayout& segment) {

@@ -157,6 +157,41 @@ TEST(AutomaticLevels, MakeCurvesAroundATubeSafe) {
   EXPECT_TRUE(curve.bridges(0).empty());
 }
 
+TEST(AutomaticLevels, AreTheSameBesideAPartOfHugeTriangles) {
+  // The legs go around a tube, and just beyond half of it the shortest path goes the other way.
+  const TriangleSoup torus = makeShape(Shape::kTorus, 8000);
+  CurveOptions options = levelsOptions({CurveKind::kBezier}, 17, kAutomaticLevels, kFast);
+  options.levelsTolerance = 0;
+  for (const double span : {2.6, 3.3, 3.6, 4.2}) {
+    SCOPED_TRACE("span " + std::to_string(span));
+    Array<Vec3> places;
+    for (int i = 0; i < 4; ++i) {
+      const double angle = span * i / 3;
+      const double out = 1 + 0.4 * std::cos(angle);
+      places.emplace_back(out * std::cos(angle / 9), out * std::sin(angle / 9),
+                          0.4 * std::sin(angle));
+    }
+    int levels = -1;
+    for (const double size : {0.0, 1e2, 1e4, 1e6}) {
+      TriangleSoup soup = torus;
+      const int first = soup.positions.count();
+      for (const Vec3& p : icosphere(1).positions) {
+        if (size > 0) soup.positions.push_back(size * p + Vec3(0, 0, 3 * size));
+      }
+      for (const Triangle& corners : icosphere(1).triangles) {
+        if (size > 0) {
+          soup.triangles.push_back({corners[0] + first, corners[1] + first, corners[2] + first});
+        }
+      }
+      Surface surface(meshOf(soup));
+      const Curve curve(surface, options, pointsNear(surface.mesh(), places));
+      if (size == 0) levels = curve.levels();
+      EXPECT_EQ(curve.levels(), levels) << "size " << size;
+    }
+    EXPECT_EQ(levels == 0, span < kPi);
+  }
+}
+
 Array<Vec3> positionsOf(const Curve& curve) {
   Array<Vec3> positions;
   for (const SurfacePoint& p : curve.path(0).line.points) {
