@@ -9,11 +9,6 @@
 namespace karcher {
 namespace {
 
-/// Where two windows meet, the distances along the edge have a kink, which the joint window cuts
-/// off. This is the depth of the cut, relative to the kink's height over the chord between the
-/// windows' outer ends. With this value the mean error of distances is about zero.
-constexpr double kAboveKink = 0.25;
-
 /// The largest distance of a joint source from its window, in widths of the window. The source of
 /// an almost straight front gets this distance.
 constexpr double kFarthestSource = 1000;
@@ -42,18 +37,20 @@ struct Origin {
   double beginSlope = 0;  ///< the original slope at the window's begin, if `change` > 0
 };
 
-/// Joins two windows, neither of which contains the other, into one over both. The joint source
-/// keeps the distances at the two outer ends. These, together with the distance where the windows
-/// meet, determine the front's curvature, and so the offset. Returns false if distances along the
-/// edge would change by more than the tolerance, or if there is no such source.
-bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& origin) {
-  const double tolerance = edge.tolerance - origin.change;
+/// Joins two windows that touch, neither of which contains the other, into one over both. The joint
+/// source keeps the distances at the two outer ends. These, together with the distance where the
+/// windows meet, determine the front's curvature, and so the offset. Returns false if distances
+/// along the edge would change by more than the tolerance, or if there is no such source. Windows
+/// with a gap between them do not join: what is behind the gap may lie in a shadow.
+bool join(Window& first, const Window& second, double mostChange, Origin& origin) {
+  const double tolerance = mostChange - origin.change;
   const double begin = first.begin;
   const double end = second.end;
+  const double width = end - begin;
+  if (second.begin - first.end > kChainRounding * width) return false;
   const double middle = (std::min(first.end, end) + second.begin) / 2;
   const double left = middle - begin;
   const double right = end - middle;
-  const double width = end - begin;
   const double firstLeg = std::sqrt(squaredLegTo(first, middle));
   const double secondLeg = std::sqrt(squaredLegTo(second, middle));
   if (first.offset == second.offset) {
@@ -65,15 +62,11 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
   }
   const double throughFirst = first.offset + firstLeg;
   const double throughSecond = second.offset + secondLeg;
-  const double slopes = (middle - first.sourceX) / firstLeg - (middle - second.sourceX) / secondLeg;
-  const double aboveKink = kAboveKink * slopes * left * right / width;
-  double change = std::abs(aboveKink) + std::abs(throughFirst - throughSecond);
+  double change = std::abs(throughFirst - throughSecond);
   if (!(change <= tolerance)) return false;
 
-  const double meet = first.end >= second.begin ? std::min(throughFirst, throughSecond)
-                                                : (throughFirst + throughSecond) / 2;
   const double atBegin = distanceAt(first, begin);
-  const double atMiddle = meet - aboveKink;
+  const double atMiddle = std::min(throughFirst, throughSecond);
   const double atEnd = distanceAt(second, end);
   // Squared legs along the edge are x^2 plus a linear function.
   const double bend = (atEnd - atMiddle) * left - (atMiddle - atBegin) * right;
@@ -85,7 +78,7 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
   joint.end = end;
   joint.offset = bend > 0 ? std::max(squares / (2 * bend), leastOffset) : leastOffset;
   // The joint window must reach all places that the two windows reach beyond its edge, since no
-  // other window does. A nearer source spreads its rays at both ends.
+  // other window may reach them. A nearer source spreads the rays at both ends.
   if (origin.change == 0) origin.beginSlope = slopeAt(first, begin);
   const double rise = atEnd - atBegin;
   const auto spread = [&](double excess, double distance) {
@@ -93,8 +86,8 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
     joint.offset =
         std::max(joint.offset, distance - (width - rise) * (width + rise) / (2 * excess));
   };
-  spread(rise - width * (origin.beginSlope + edge.turn), atBegin);
-  spread(width * (slopeAt(second, end) - edge.turn) - rise, atEnd);
+  spread(rise - width * origin.beginSlope, atBegin);
+  spread(width * slopeAt(second, end) - rise, atEnd);
   const double beginLeg = atBegin - joint.offset;
   const double endLeg = atEnd - joint.offset;
   const double x = ((beginLeg - endLeg) * (beginLeg + endLeg) / width + width) / 2;
@@ -117,12 +110,12 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
 }
 
 /// The largest amount by which distances through a wider window exceed those through a window that
-/// lies in it; kInfinity if the two share an end at which the ray of the wider window turns inwards
-/// by more than `edge.turn`.
-double excessOf(const Window& wider, const Window& window, const JoinedEdge& edge) {
-  const auto steeper = [&](double x) { return slopeAt(wider, x) - slopeAt(window, x); };
-  const bool reaches = (window.begin > wider.begin || steeper(window.begin) <= edge.turn) &&
-                       (window.end < wider.end || steeper(window.end) >= -edge.turn);
+/// lies in it; kInfinity if the two share an end at which the ray of the wider window turns
+/// inwards.
+double excessOf(const Window& wider, const Window& window) {
+  const bool reaches =
+      (window.begin > wider.begin || slopeAt(wider, wider.begin) <= slopeAt(window, wider.begin)) &&
+      (window.end < wider.end || slopeAt(wider, wider.end) >= slopeAt(window, wider.end));
   if (!reaches) return kInfinity;
   return std::max({excessAt(wider, window, window.begin), excessAt(wider, window, window.end),
                    excessBetween(wider, window, window.begin, window.end), 0.0});
@@ -151,7 +144,7 @@ void sortByPlace(Array<Window>& windows) {
 
 }  // namespace
 
-void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
+void joinWindows(double mostChange, Array<Window>& windows) {
   sortByPlace(windows);
   int last = 0;
   Origin origin;
@@ -159,20 +152,20 @@ void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
     Window& before = windows[last];
     const Window& window = windows[i];
     if (window.end <= before.end) {
-      const double change = std::max(origin.change, excessOf(before, window, edge));
-      if (change <= edge.tolerance) {
+      const double change = std::max(origin.change, excessOf(before, window));
+      if (change <= mostChange) {
         if (origin.change == 0) origin.beginSlope = slopeAt(before, before.begin);
         origin.change = change;
         continue;
       }
     } else if (window.begin <= before.begin) {
-      const double change = origin.change + excessOf(window, before, edge);
-      if (change <= edge.tolerance) {
+      const double change = origin.change + excessOf(window, before);
+      if (change <= mostChange) {
         before = window;
         origin = {change, slopeAt(window, window.begin)};
         continue;
       }
-    } else if (join(before, window, edge, origin)) {
+    } else if (join(before, window, mostChange, origin)) {
       continue;
     }
     windows[++last] = window;

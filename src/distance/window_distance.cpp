@@ -41,19 +41,6 @@ constexpr double kWide = 1e6;
 /// over the same edges and never come near a vertex from which shorter paths would end it.
 constexpr double kThin = 1e3;
 
-/// The angle, in tolerances, by which a join may turn the rays at the ends of a window. It is the
-/// slope at the window's ends of a parabola that is zero there and as high as the tolerance
-/// permits, if the window is as wide as the face is high.
-constexpr double kTurn = 4;
-
-/// After joins, the solver closes gaps at the ends of an edge up to this width, relative to the
-/// edge.
-constexpr double kWidestGap = 0.1;
-
-/// The largest difference, relative to the tolerance, between the distance of a vertex and the
-/// distance there through a window of the same front.
-constexpr double kSameFront = 0.25;
-
 /// The two sides of a face above half-edge h, as vectors from its tail and from its head. Each is
 /// as exact as its own length allows.
 struct FaceSides {
@@ -311,11 +298,8 @@ void WindowDistance::carryAcross(int h) {
   // tolerance.
   double slack = 0;
   if (tolerance_ > 0) {
-    const double least = length * apex.y() / std::max({length, leftLength, rightLength});
-    const JoinedEdge edge{tolerance_ * least, kTurn * tolerance_};
-    joinWindows(edge, batch_);
-    closeGaps(h, edge);
-    slack = edge.tolerance;
+    slack = tolerance_ * length * apex.y() / std::max({length, leftLength, rightLength});
+    joinWindows(slack, batch_);
   }
   windowsLeft_ -= batch_.count();
   if (windowsLeft_ < 0) {
@@ -343,21 +327,10 @@ void WindowDistance::carryAcross(int h) {
           apexVertex, top,
           {window.offset + std::sqrt(squaredLeg(window, apex)), window.offset, window.pseudoSource},
           h, crossing);
-    } else if (tolerance_ > 0) {
-      // A joint window may just miss a point that an original one saw.
-      arriveBent(apexVertex, top, h, apex, window, crossing);
     }
   }
   if (leastMiss > tolerance) {
     arriveBent(apexVertex, top, h, apex, batch_[nearest], crossings_[nearest]);
-  }
-  if (tolerance_ > 0) {
-    // Joint windows may miss the apex. The edges to it bound its distance.
-    const bool byTail = tail + leftLength <= head + rightLength;
-    const double end = byTail ? tail : head;
-    const double along = bentLength(end + (byTail ? leftLength : rightLength));
-    arrive(apexVertex, top, {along, end, byTail ? mesh_.tail(h) : mesh_.head(h)}, h,
-           byTail ? 0 : length);
   }
   if (images_.areKept()) images_.addWindows(h, batch_, tail);
   if (target_.liesIn(faceOf(h))) {
@@ -385,39 +358,6 @@ void WindowDistance::carryAcross(int h) {
     if (isWorthKeeping(rightSide, narrowest_, window)) {
       addWindow(rightSide.twin, mirrored(window, rightLength));
     }
-  }
-}
-
-/// Closes gaps between the windows of the batch and the ends of half-edge h, where joins turned the
-/// rays. A gap is closed if the vertex there lies on the same front: its distance and the direction
-/// of its path agree with the window's. The distance alone does not decide, since two fronts that
-/// cross there have the same distance.
-void WindowDistance::closeGaps(int h, const JoinedEdge& edge) {
-  const double length = geometry_.edgeLength[h];
-  // `along` is 1 at the tail and -1 at the head, and `edgeAngle` is the direction of the edge at
-  // that vertex.
-  const auto isOnFront = [&](int vertex, const Window& window, double x, int along,
-                             double edgeAngle) {
-    const double apart = std::abs(distanceAt(window, x) - distance(vertex));
-    if (!(apart <= kSameFront * edge.tolerance)) return false;
-    const Vec2 toSource = along * Vec2(window.sourceX - x, -window.depth);
-    double turned = edgeAngle + angleOf(toSource) - direction(vertex);
-    if (!mesh_.onBoundary[vertex]) turned = withoutTurns(turned, geometry_.totalAngle[vertex]);
-    return std::abs(turned) <= edge.turn;
-  };
-  Window& first = batch_[0];
-  if (first.begin > 0 && first.begin <= kWidestGap * length &&
-      isOnFront(mesh_.tail(h), first, 0, 1, geometry_.cumulatedAngle[h])) {
-    first.begin = 0;
-  }
-  Window* last = &first;
-  for (Window& window : batch_) {
-    if (window.end > last->end) last = &window;
-  }
-  const double atHead = geometry_.cumulatedAngle[next(h)] + geometry_.cornerAngle[next(h)];
-  if (last->end < length && length - last->end <= kWidestGap * length &&
-      isOnFront(mesh_.head(h), *last, length, -1, atHead)) {
-    last->end = length;
   }
 }
 

@@ -39,10 +39,10 @@
 /// Surazhsky, D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on meshes",
 /// 2005). The height is about the length of a path in the face. A joint window's source and offset
 /// are those of the front to which both windows belong, so that on smooth surfaces distances
-/// converge with the mesh as exact ones do. A joint window sees what both windows saw, except that
-/// the rays at its ends may turn by a few tolerances. The errors of many faces have both signs, so
-/// that distances are off by far less than the tolerance. This is measured (`npm run study --
-/// fields`) and not proven.
+/// converge with the mesh as exact ones do. Only windows that touch are joined, and the rays at the
+/// ends of a joint window may turn outwards, but not inwards: a gap between windows would lose the
+/// places behind it, and a join across a gap would see places in a shadow. Distances are off by far
+/// less than the tolerance. This is measured (`npm run study -- fields`) and not proven.
 namespace karcher {
 
 /// Whether shortest paths turn at a vertex: its total angle is greater than 2 pi (pi on the
@@ -140,7 +140,6 @@ class WindowDistance final : public DistanceSolver {
   void leaveVertex(int vertex);
   void leaveThroughCorner(int vertex, int h, double from, double to);
   void carryAcross(int h);
-  void closeGaps(int h, const JoinedEdge& edge);
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex, const Window& window,
                   double crossing);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
