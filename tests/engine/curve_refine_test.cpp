@@ -8,6 +8,7 @@
 #include "curves/spec/knots.h"
 #include "generators/curve_shapes.h"
 #include "generators/plane.h"
+#include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "support.h"
 
@@ -330,6 +331,50 @@ TEST_F(CurveRefine, JoinsTouchingAndSeparateCurves) {
   EXPECT_EQ(codeOf([&] { joined(cubic, closed); }), ErrorCode::kBadArgument);
   EXPECT_EQ(codeOf([&] { joined(polyline, bezier); }), ErrorCode::kBadArgument);
   EXPECT_NO_THROW(joined(bezier, bezier));
+}
+
+TEST(CurveJoins, LeadRoundASlitBetweenEndsAtOnePlaceInSpace) {
+  // A square of 4 x 4 cells with a slit along x = 2 from y = 2 to its boundary.
+  constexpr int kSide = 4;
+  Array<Vec3> positions;
+  for (int y = 0; y <= kSide; ++y) {
+    for (int x = 0; x <= kSide; ++x) positions.push_back(Vec3(x, y, 0));
+  }
+  const auto left = [](int x, int y) { return y * (kSide + 1) + x; };
+  const int bank = positions.count() - 3;
+  for (const int y : {3, 4}) positions.push_back(Vec3(2, y, 0));
+  const auto right = [&](int x, int y) { return x == 2 && y > 2 ? bank + y : left(x, y); };
+  Array<Triangle> faces;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const auto at = [&](int i, int j) { return x < 2 ? left(i, j) : right(i, j); };
+      faces.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+      faces.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+  }
+  Surface slit(buildMesh(positions, faces));
+  const auto pointOn = [&](double x, double y, double side) {
+    for (int v = 0; v < slit.mesh().vertexCount(); ++v) {
+      if (slit.mesh().positions[v] != Vec3(x, y, 0)) continue;
+      const int f = vertexPoint(slit.mesh(), v).face;
+      const Vec3 middle = position(slit.mesh(), {f, Vec3::Constant(1.0 / 3)});
+      if ((middle.x() - x) * side > 0) return vertexPoint(slit.mesh(), v);
+    }
+    throw Error(ErrorCode::kBadArgument, "no such vertex");
+  };
+  const SurfacePoint from = pointOn(0, 3, 1);
+  const SurfacePoint leftBank = pointOn(2, 4, -1);
+  const SurfacePoint rightBank = pointOn(2, 4, 1);
+  const SurfacePoint to = pointOn(4, 3, -1);
+  for (const CurveKind kind : {CurveKind::kPolyline, CurveKind::kBezier}) {
+    SCOPED_TRACE(curveKindName(kind));
+    Curve first(slit, ofLevelZero({kind}, 5, kExact), {from, leftBank});
+    Curve second(slit, ofLevelZero({kind}, 5, kExact), {rightBank, to});
+    const CurveParts parts = joined(first, second);
+    EXPECT_EQ(parts.points.count(), 4);
+    Curve third(slit, ofLevelZero({kind}, 5, kExact), {leftBank, to});
+    EXPECT_EQ(joined(first, third).points.count(), 3);
+  }
 }
 
 TEST_F(CurveRefine, AParameterBesideAJointMeansTheJoint) {

@@ -256,6 +256,16 @@ Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
   return parts;
 }
 
+/// Whether two points of one component are one place of the surface up to rounding. If not,
+/// `between` is a geodesic from one to the other. On both banks of a slit, points at one place in
+/// space are two places.
+bool doMeet(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+            SurfacePath& between) {
+  FindPathWorkspace workspace;
+  findPath(geometry, from, to, workspace, between);
+  return between.length() <= kChainRounding * geometry.diagonal;
+}
+
 /// The legs of two joined curves, with `between` shortest paths between them. If `between` is 0,
 /// the second curve starts at `end`, the end of the first. The result is empty if neither curve has
 /// legs.
@@ -286,15 +296,11 @@ ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& fi
   for (WeightedPoint& point : points) point.weight *= factor;
   const WeightedPoint from = first.points.back();
   const WeightedPoint to = points.front();
-  const double gap =
-      (position(*geometry.mesh, from.point) - position(*geometry.mesh, to.point)).norm();
   result.knots.pop_back();
   double start = first.knots.back();
-  const bool meet = gap <= kChainRounding * geometry.diagonal;
+  SurfacePath between;
+  const bool meet = doMeet(geometry, from.point, to.point, between);
   if (!meet) {
-    FindPathWorkspace workspace;
-    SurfacePath between;
-    findPath(geometry, from.point, to.point, workspace, between);
     for (int k = 1; k < p; ++k) {
       const double s = static_cast<double>(k) / p;
       result.points.push_back(
@@ -456,10 +462,8 @@ CurveParts joined(const Curve& first, const Curve& second) {
   }
   CurveParts parts{shape, first.points()};
   const Array<SurfacePoint>& more = second.points();
-  const double gap =
-      (position(*geometry.mesh, parts.points.back()) - position(*geometry.mesh, more.front()))
-          .norm();
-  const int from = gap <= kChainRounding * geometry.diagonal ? 1 : 0;
+  SurfacePath between;
+  const int from = doMeet(geometry, parts.points.back(), more.front(), between) ? 1 : 0;
   const auto given = [](const Curve& curve) {
     return followsLegs(curve) ? curve.value().legs : Array<SurfacePath>();
   };
