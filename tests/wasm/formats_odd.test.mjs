@@ -1,6 +1,8 @@
 // Unusual but valid files, and files designed to consume time or memory.
 import assert from 'node:assert/strict';
+import { once } from 'node:events';
 import { before, test } from 'node:test';
+import { Worker } from 'node:worker_threads';
 import { KarcherError, load } from 'karcher';
 import { formatOf, meshFromFile } from 'karcher/formats';
 import * as files from './mesh_files.mjs';
@@ -440,4 +442,29 @@ test('glTF: sparse places without a view are zeros, except the given ones', asyn
   );
   const { mesh } = await open(bytes);
   assert.deepEqual(rounded(mesh), [0, 0, 0, 3, 0, 0, 0, 4, 0]);
+});
+
+test('an embedded buffer of glTF is decoded within a few times its size', async () => {
+  const { json, buffer } = files.gltfParts(cutBox);
+  const padded = Buffer.concat([Buffer.from(buffer), Buffer.alloc(2 ** 25)]);
+  json.buffers[0] = {
+    byteLength: padded.length,
+    uri: `data:;base64,${padded.toString('base64')}`,
+  };
+  const code = `
+    const { parentPort, workerData } = require('node:worker_threads');
+    (async () => {
+      const [{ load }, { meshFromFile }] = await Promise.all(workerData.modules.map((at) => import(at)));
+      const { mesh } = await meshFromFile(await load(), workerData.bytes);
+      parentPort.postMessage(mesh.info.vertexCount);
+    })();`;
+  const modules = ['karcher', 'karcher/formats'].map((name) => import.meta.resolve(name));
+  const worker = new Worker(code, {
+    eval: true,
+    workerData: { modules, bytes: encode(JSON.stringify(json)) },
+    resourceLimits: { maxOldGenerationSizeMb: 8 * (padded.length / 2 ** 20) },
+  });
+  const [count] = await once(worker, 'message');
+  await worker.terminate();
+  assert.equal(count, (await open(files.glbFile(cutBox))).mesh.info.vertexCount);
 });
