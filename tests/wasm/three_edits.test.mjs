@@ -160,3 +160,30 @@ test('a second finger neither moves nor releases the point of the first', async 
   drag.dispose();
   curve.dispose();
 });
+
+test('a finger scrolls again only when the last drag on an element has ended', () => {
+  const curve = new SurfaceCurve(surface, { kind: 'polyline', points: pointsAt(10, 200) });
+  for (const before of ['', 'pan-y']) {
+    for (const order of [
+      [0, 1],
+      [1, 0],
+    ]) {
+      const element = Object.assign(new EventTarget(), { style: { touchAction: before } });
+      const of = [new THREE.Mesh(), new THREE.PerspectiveCamera(), element];
+      const drags = [new CurveDrag(curve, ...of), new CurveDrag(curve, ...of)];
+      const [first, last] = order.map((i) => drags[i]);
+      // A second call changes nothing.
+      for (let i = 0; i < 2; i++) {
+        first.dispose();
+        assert.equal(element.style.touchAction, 'none', `${order}`);
+      }
+      last.dispose();
+      assert.equal(element.style.touchAction, before, `${order}`);
+      const again = new CurveDrag(curve, ...of);
+      assert.equal(element.style.touchAction, 'none');
+      again.dispose();
+      assert.equal(element.style.touchAction, before);
+    }
+  }
+  curve.dispose();
+});

@@ -26,6 +26,9 @@ function handleMaterial(): PointsMaterial {
   return material;
 }
 
+/** For each element, the number of its drags and its `touchAction` without them. */
+const dragsOn = new WeakMap<HTMLElement, { count: number; touchAction: string }>();
+
 /** The options for dragging control points. */
 export interface CurveDragOptions {
   /**
@@ -53,7 +56,7 @@ export class CurveDrag {
   readonly #camera: Camera;
   readonly #element: HTMLElement;
   readonly #reach: number;
-  readonly #touchAction: string;
+  #isDisposed = false;
   /** The pointer that drags a point, or dragged one. */
   #pointerId = -1;
   readonly #handles = new Points(new BufferGeometry(), handleMaterial());
@@ -72,8 +75,10 @@ export class CurveDrag {
     this.#camera = camera;
     this.#element = element;
     this.#reach = reach;
+    const drags = dragsOn.get(element) ?? { count: 0, touchAction: element.style.touchAction };
+    dragsOn.set(element, drags);
+    drags.count++;
     // Otherwise a finger would also scroll the page.
-    this.#touchAction = element.style.touchAction;
     element.style.touchAction = 'none';
     curve.add(this.#handles);
     curve.addEventListener('change', this.#show);
@@ -86,8 +91,14 @@ export class CurveDrag {
 
   /** Stops listening to the pointer; the curve stays. */
   dispose(): void {
+    if (this.#isDisposed) return;
+    this.#isDisposed = true;
     const element = this.#element;
-    element.style.touchAction = this.#touchAction;
+    const drags = dragsOn.get(element)!;
+    if (--drags.count === 0) {
+      element.style.touchAction = drags.touchAction;
+      dragsOn.delete(element);
+    }
     element.removeEventListener('pointerdown', this.#press, { capture: true });
     element.removeEventListener('pointermove', this.#move);
     element.removeEventListener('pointerup', this.#release);
