@@ -169,6 +169,18 @@ test('errors of the engine arrive as such, and arguments that cannot be sent are
   await assert.rejects(remote.client.call('constructr', []), /no call 'constructr'/);
 });
 
+test('a path that is sent to a worker keeps its length', async () => {
+  const [isoline] = here.isolines(points[1], { radius: 3 });
+  const lengths = [isoline.length / 3, isoline.length];
+  assert.deepEqual(
+    await mesh.pointsAtLengths(isoline, lengths),
+    here.pointsAtLengths(isoline, lengths),
+  );
+  assert.deepEqual(await mesh.equallySpaced(isoline, 7), here.equallySpaced(isoline, 7));
+  // The path itself stays.
+  assert.equal(isoline.points().length, isoline.count);
+});
+
 test('long work reports its progress, and ends when it is aborted', async () => {
   const large = await remote.shape('sphere', 20000);
   const told = [];

@@ -374,7 +374,7 @@ export class WorkerClient {
     const copied = (arg: unknown) =>
       replaced(arg, (part) => {
         if (part instanceof AbortSignal) signals.push(part);
-        if (part instanceof Path) return part.points();
+        if (part instanceof Path) return part.data();
         if (ArrayBuffer.isView(part)) return this.#start ? copyOf(part) : part;
         const isAsItIs = part instanceof AbortSignal || typeof part === 'function';
         if (isAsItIs || this.#origins.has(part)) return part;
