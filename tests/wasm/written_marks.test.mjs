@@ -139,3 +139,32 @@ test('a name stays on its line', async () => {
     ['a v 1 2 3', 'unnamed'],
   );
 });
+
+test('a text that is longer than a string may be is written in blocks', async () => {
+  const rows = 200;
+  const place = (i) => [i % rows, Math.floor(i / rows), 0];
+  const grid = Array.from({ length: rows * rows }, (_, i) => i);
+  const corners = grid.filter((i) => i % rows < rows - 1 && i < rows * (rows - 1));
+  const large = {
+    positions: grid.flatMap(place),
+    triangles: corners.flatMap((a) => [a, a + 1, a + rows]),
+  };
+  const { encode } = TextEncoder.prototype;
+  const texts = [];
+  TextEncoder.prototype.encode = function (text) {
+    texts.push(text);
+    return encode.call(this, text);
+  };
+  let bytes;
+  try {
+    bytes = meshFile(large, 'obj');
+  } finally {
+    TextEncoder.prototype.encode = encode;
+  }
+  assert.ok(Math.max(...texts.map(({ length }) => length)) < bytes.length / 2);
+  const wanted = [
+    ...grid.map((i) => `v ${place(i).join(' ')}\n`),
+    ...corners.map((a) => `f ${a + 1} ${a + 2} ${a + rows + 1}\n`),
+  ].join('');
+  assert.ok(new TextDecoder().decode(bytes) === wanted, 'the blocks follow each other');
+});

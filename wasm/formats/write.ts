@@ -138,10 +138,39 @@ function withTubes(mesh: Triangles): { solid: Triangles; lines: readonly FileCur
   return { solid: { positions, triangles, ...marks }, lines };
 }
 
+/** One string would be too long for the text of a large mesh, so lines are encoded in blocks. */
+class LineBlocks {
+  readonly #blocks: Uint8Array[] = [];
+  #lines: string[] = [];
+  #byteCount = 0;
+
+  push(line: string): void {
+    if (this.#lines.push(line) === 10_000) this.#encode();
+  }
+
+  bytes(): Uint8Array<ArrayBuffer> {
+    this.#encode();
+    const bytes = new Uint8Array(this.#byteCount);
+    let at = 0;
+    for (const block of this.#blocks) {
+      bytes.set(block, at);
+      at += block.length;
+    }
+    return bytes;
+  }
+
+  #encode(): void {
+    const block = new TextEncoder().encode(this.#lines.join(''));
+    this.#blocks.push(block);
+    this.#byteCount += block.length;
+    this.#lines = [];
+  }
+}
+
 function objFile(mesh: Triangles) {
   const { solid, lines: curves } = withTubes(mesh);
   const { positions, triangles, colors, parts, partOf } = solid;
-  const lines: string[] = [];
+  const lines = new LineBlocks();
   const addVertices = (places: ArrayLike<number>, colorOf: (i: number) => number) => {
     for (let i = 0; i < places.length; i += 3) {
       const color = colors ? [0, 1, 2].map((k) => ` ${colorOf(i + k) / 255}`).join('') : '';
@@ -162,7 +191,7 @@ function objFile(mesh: Triangles) {
     lines.push(`l ${Array.from({ length: path.count }, (_, i) => first + i).join(' ')}\n`);
     first += path.count;
   }
-  return new TextEncoder().encode(lines.join(''));
+  return lines.bytes();
 }
 
 function plyFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
