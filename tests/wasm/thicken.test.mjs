@@ -105,6 +105,79 @@ test('two opposite plates allow half of their gap', () => {
   assert.throws(() => thickened(both, 0), /must not be 0/);
 });
 
+/** Two wavy sheets that face each other, with a different gap everywhere. */
+function sheets(cells) {
+  const height = (u, v) => 0.3 * Math.sin(5 * u) * Math.cos(7 * v);
+  const lower = grid(cells, cells, (u, v) => [3 * u, 3 * v, height(u, v)]);
+  const upper = grid(cells, cells, (u, v) => [3 * v, 3 * u, 2 + height(v, u + 0.3)]);
+  const first = lower.positions.length / 3;
+  return {
+    positions: [...lower.positions, ...upper.positions],
+    triangles: [...lower.triangles, ...upper.triangles.map((vertex) => first + vertex)],
+  };
+}
+
+const ball = (cells) =>
+  grid(
+    2 * cells,
+    cells,
+    (u, v) => {
+      const [round, down] = [2 * Math.PI * u, Math.PI * (0.05 + 0.9 * v)];
+      return [Math.sin(down) * Math.cos(round), -Math.sin(down) * Math.sin(round), Math.cos(down)];
+    },
+    [true, false],
+  );
+
+test('the largest thickness is that of all pairs of vertices', () => {
+  let bounded = 0;
+  for (const part of [sheets(16), ball(12)]) {
+    for (const thickness of [0.1, 0.9, 40, 1e9, -0.1, -0.9, -40, -1e9]) {
+      const { positions, most } = thickened(part, thickness);
+      const count = part.positions.length;
+      const unit = thickened(part, Math.sign(thickness)).positions;
+      const placeOf = (i) => [0, 1, 2].map((k) => positions[i + k]);
+      let least = Math.abs(thickness);
+      for (let i = 0; i < count; i += 3) {
+        const here = placeOf(i);
+        const normal = here.map((value, k) => unit[count + i + k] - value);
+        for (let j = 0; j < count; j += 3) {
+          const to = placeOf(j).map((value, k) => value - here[k]);
+          const ahead = to.reduce((sum, value, k) => sum + value * normal[k], 0);
+          // Rounding of the unit normals must not make neighbors in a plane lie ahead.
+          if (ahead > 1e-12) {
+            least = Math.min(
+              least,
+              to.reduce((sum, value) => sum + value * value, 0) / (2 * ahead),
+            );
+          }
+        }
+      }
+      const found = most ?? Math.abs(thickness);
+      assert.ok(found <= least * (1 + 1e-9), `${thickness}: ${found}, not ${least}`);
+      if (most !== null && Math.abs(found - least) <= 1e-9 * least) bounded++;
+    }
+  }
+  assert.ok(bounded >= 4, `${bounded}`);
+});
+
+test('a thickness that is large beside the part does not compare all pairs of vertices', () => {
+  for (const shape of [sheets, ball]) {
+    for (const thickness of [1000, -1000]) {
+      const [few, many] = [20, 80].map((cells) => {
+        const { positions, triangles } = shape(cells);
+        let reads = 0;
+        const get = (target, name) => {
+          reads++;
+          return target[name];
+        };
+        thickened({ positions: new Proxy(positions, { get }), triangles }, thickness);
+        return reads / positions.length;
+      });
+      assert.ok(many < 3 * few, `${shape.name}, ${thickness}: ${few} and ${many} reads a number`);
+    }
+  }
+});
+
 test('faces that do not belong to a part have no say in its shell', () => {
   const moved = (part, whole) => {
     const faces = Array.from({ length: part.triangles.length / 3 }, (_, face) => face);

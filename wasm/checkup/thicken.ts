@@ -72,11 +72,10 @@ export function thickened(
   for (const [a, b] of rims(triangles, count)) {
     all.push(a + inner, b + inner, b + outer, a + inner, b + outer, a + outer);
   }
-  const bound = Math.min(
-    Math.abs(thickness),
-    unfolded(shape.positions, bounding, shapeNormals, thickness),
-    ballBound(shape.positions, bounding, shapeNormals, thickness),
-  );
+  const way = Math.sign(thickness);
+  const fold = unfolded(shape.positions, bounding, shapeNormals, way);
+  const least = Math.min(Math.abs(thickness), fold);
+  const bound = ballBound(shape.positions, bounding, shapeNormals, way, least);
   const most = bound < Math.abs(thickness) ? bound : null;
   return { positions: both, triangles: Int32Array.from(all), most };
 }
@@ -257,9 +256,8 @@ function unfolded(
   positions: ArrayLike<number>,
   triangles: ArrayLike<number>,
   normals: Float64Array,
-  thickness: number,
+  way: number,
 ): number {
-  const way = Math.sign(thickness);
   let least = Infinity;
   for (let i = 0; i < triangles.length; i += 3) {
     const [a, b, c] = cornersOf(triangles, i);
@@ -287,55 +285,111 @@ function firstRoot(c: number, b: number, a: number): number {
 
 /**
  * The radius of the smallest ball that touches the surface at a vertex, on the side to which the
- * vertex moves, and passes through another vertex. The result is at most the thickness.
+ * vertex moves, and passes through another vertex. The result is at most `most`.
  */
 function ballBound(
   positions: ArrayLike<number>,
   triangles: ArrayLike<number>,
   normals: Float64Array,
-  thickness: number,
+  way: number,
+  most: number,
 ): number {
-  const way = Math.sign(thickness);
-  const used = Int32Array.from(new Set(Array.from(triangles)));
-  let least = Math.abs(thickness);
-  const size = 2 * least;
-  const cellOf = (vertex: number, axis: number) => Math.floor(positions[3 * vertex + axis]! / size);
-  // Several cells may share a bucket. Comparisons with the vertices of these further cells do not
-  // change the least radius.
-  const buckets = 2 ** Math.ceil(Math.log2(used.length + 1));
-  const bucketOf = (x: number, y: number, z: number) =>
-    (Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) & (buckets - 1);
-  const keys = used.map((vertex) =>
-    bucketOf(cellOf(vertex, 0), cellOf(vertex, 1), cellOf(vertex, 2)),
-  );
-  const starts = new Int32Array(buckets + 1);
-  for (const key of keys) starts[key + 1]!++;
-  for (let key = 0; key < buckets; key++) starts[key + 1]! += starts[key]!;
-  const next = starts.slice();
-  const listed = new Int32Array(used.length);
-  keys.forEach((key, i) => {
-    listed[next[key]!++] = used[i]!;
-  });
-  for (const vertex of used) {
-    const [x, y, z] = [0, 1, 2].map((axis) => cellOf(vertex, axis)) as Vector;
-    const at = 3 * vertex;
-    const [px, py, pz] = [positions[at]!, positions[at + 1]!, positions[at + 2]!];
-    const [nx, ny, nz] = [way * normals[at]!, way * normals[at + 1]!, way * normals[at + 2]!];
-    for (let n = 0; n < 27; n++) {
-      const key = bucketOf(
-        x + (n % 3) - 1,
-        y + (Math.floor(n / 3) % 3) - 1,
-        z + Math.floor(n / 9) - 1,
-      );
-      for (let i = starts[key]!; i < starts[key + 1]!; i++) {
-        const other = 3 * listed[i]!;
-        const dx = positions[other]! - px;
-        const dy = positions[other + 1]! - py;
-        const dz = positions[other + 2]! - pz;
-        const ahead = dx * nx + dy * ny + dz * nz;
+  const { order, patches } = patchTree(positions, triangles, normals);
+  let least = most;
+  for (const vertex of order) {
+    const here = vectorAt(positions, vertex);
+    const normal = vectorAt(normals, vertex).map((value) => way * value) as Vector;
+    for (let number = 0; number < patches.length; ) {
+      const { center, across, radius, low, high, from, to, after } = patches[number]!;
+      // A place at d from the vertex is within the ball of radius r about r n if d·(d - 2 r n) < 0.
+      // `value` is at most this product, for all places within the cylinder.
+      const [x, y, z] = [center[0] - here[0], center[1] - here[1], center[2] - here[2]];
+      const [u, v, w] = [x - least * normal[0], y - least * normal[1], z - least * normal[2]];
+      const rise = u * across[0] + v * across[1] + w * across[2];
+      const slope = Math.sqrt(Math.max(0, u * u + v * v + w * w - rise * rise));
+      const aside = Math.min(radius, slope);
+      const up = Math.min(Math.max(-rise, low), high);
+      const atCenter =
+        x * (u - least * normal[0]) + y * (v - least * normal[1]) + z * (w - least * normal[2]);
+      const value = atCenter + aside * (aside - 2 * slope) + up * (up + 2 * rise);
+      number = value < 0 ? number + 1 : after;
+      if (value >= 0 || number < after) continue;
+      for (let i = from; i < to; i++) {
+        const other = 3 * order[i]!;
+        const dx = positions[other]! - here[0];
+        const dy = positions[other + 1]! - here[1];
+        const dz = positions[other + 2]! - here[2];
+        const ahead = dx * normal[0] + dy * normal[1] + dz * normal[2];
         if (ahead > 0) least = Math.min(least, (dx * dx + dy * dy + dz * dz) / (2 * ahead));
       }
     }
   }
   return least;
+}
+
+/**
+ * Vertices within a flat cylinder: its axis is the mean normal, along which they lie between `low`
+ * and `high` from the center. A cylinder fits a patch of a smooth surface so closely that few
+ * patches intersect a ball which the whole surface touches.
+ */
+interface Patch {
+  center: Vector;
+  across: Vector;
+  radius: number;
+  low: number;
+  high: number;
+  /** The range of the patch's vertices in their order. */
+  from: number;
+  to: number;
+  /** The number of the first later patch that is not part of this one. */
+  after: number;
+}
+
+/** The vertices of triangles in the order of a tree of patches. A patch comes before its parts. */
+function patchTree(
+  positions: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  normals: Float64Array,
+): { order: Int32Array; patches: Patch[] } {
+  const order = Int32Array.from(new Set(Array.from(triangles)));
+  const patches: Patch[] = [];
+  const add = (from: number, to: number): void => {
+    const least: Vector = [Infinity, Infinity, Infinity];
+    const most: Vector = [-Infinity, -Infinity, -Infinity];
+    const sum: Vector = [0, 0, 0];
+    for (const vertex of order.subarray(from, to)) {
+      for (let axis = 0; axis < 3; axis++) {
+        const value = positions[3 * vertex + axis]!;
+        least[axis] = Math.min(least[axis]!, value);
+        most[axis] = Math.max(most[axis]!, value);
+        sum[axis]! += normals[3 * vertex + axis]!;
+      }
+    }
+    const sizes = subtract(most, least);
+    const center = least.map((value, axis) => value + sizes[axis]! / 2) as Vector;
+    const length = Math.hypot(...sum) || 1;
+    const across = sum.map((value) => value / length) as Vector;
+    const patch = { center, across, radius: 0, low: Infinity, high: -Infinity, from, to, after: 0 };
+    const widest = sizes.indexOf(Math.max(...sizes));
+    let split = from;
+    for (let i = from; i < to; i++) {
+      const vertex = order[i]!;
+      const away = subtract(vectorAt(positions, vertex), center);
+      const up = dot(away, across);
+      patch.low = Math.min(patch.low, up);
+      patch.high = Math.max(patch.high, up);
+      patch.radius = Math.max(patch.radius, Math.sqrt(Math.max(0, dot(away, away) - up * up)));
+      if (away[widest]! >= 0) continue;
+      order[i] = order[split]!;
+      order[split++] = vertex;
+    }
+    patches.push(patch);
+    if (to - from > 4 && split > from) {
+      add(from, split);
+      add(split, to);
+    }
+    patch.after = patches.length;
+  };
+  add(0, order.length);
+  return { order, patches };
 }
