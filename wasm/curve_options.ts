@@ -141,13 +141,21 @@ export function engineValue(options: CurveOptions, basis: OwnBasis | undefined):
   const shape = engineShape(options, basis);
   const sampling = engineSampling(options);
   const field = engineFieldOptions(options);
-  const { points, legs = [] } = options;
-  const list = checkArray(legs, 'the legs') as readonly (LegPoints | DrawnLeg)[];
+  const points = wirePoints(options.points);
+  const list = legsOf(options);
   return {
-    ...{ points: wirePoints(points), shape, sampling, field },
+    ...{ points, shape, sampling, field },
     legs: list.map(wireLeg),
     areDrawn: Int32Array.from(list, (leg) => (isDrawn(leg) ? 1 : 0)),
   };
+}
+
+/** The legs of a value, also of an open curve's that was closed, or the other way round. */
+function legsOf({ points, legs = [], closed }: CurveOptions): readonly (LegPoints | DrawnLeg)[] {
+  const list = checkArray(legs, 'the legs') as readonly (LegPoints | DrawnLeg)[];
+  const more = points.length - list.length;
+  if (closed) return more === 1 && list.length > 0 ? [...list, null] : list;
+  return more === 0 ? list.slice(0, -1) : list;
 }
 
 const isDrawn = (leg: LegPoints | DrawnLeg): leg is DrawnLeg =>

@@ -32,6 +32,18 @@ const lengthOf = (curves) => curves.reduce((sum, curve) => sum + curve.length, 0
 const sameAnew = (curve) =>
   isNear(torus.curve(curve.value()).length, curve.length, 2e-4, 'traced anew');
 
+test('a value with drawn legs closes and opens a curve as its methods do', () => {
+  for (const kind of ['polyline', 'bspline']) {
+    const byValue = drawnOut({ kind, levels: 3 });
+    const byMethod = drawnOut({ kind, levels: 3 });
+    for (const closed of [true, false]) {
+      byMethod.setClosed(closed);
+      byValue.set({ ...byValue.value(), closed });
+      assert.deepEqual(byValue.polyline(), byMethod.polyline(), `${kind}, closed: ${closed}`);
+    }
+  }
+});
+
 test('a point inserted in a curve leaves its legs in place', () => {
   // The tolerance is that of curves with levels, whose points become averages of other averages.
   for (const [options, part] of [

@@ -57,6 +57,34 @@ test('a drag that replaces a waiting change starts from its points, without the 
   curve.dispose();
 });
 
+test('the value after a drag has the drawn legs, so that other changes keep them', async () => {
+  const line = new SurfaceCurve(surface, { kind: 'polyline', points: pointsAt(10, 10) });
+  await line.ready;
+  // Round the tube, back to the first point: the shortest leg has no length.
+  const whole = surface.mesh.curve({ kind: 'polyline', points: pointsAt(10, 10) });
+  const start = whole.value().points[0];
+  const turn = 2 * Math.PI * 0.4;
+  for (let step = 1; step <= 50; step++) {
+    await line.movePoint(1, surface.mesh.straightest(start, [0, 0, 1], (step * turn) / 50).end);
+  }
+  const { length } = line.view;
+  assert.ok(length > turn / 2, `${length}`);
+  await line.set({ ...line.value });
+  assert.ok(Math.abs(line.view.length - length) < 1e-6, `${line.view.length}, not ${length}`);
+  line.dispose();
+});
+
+test('an edit under way when a curve is disposed of resolves to false', async () => {
+  const worker = await loadInWorker();
+  const there = await surfaceFromGeometry(worker, torus);
+  const line = new SurfaceCurve(there, { kind: 'polyline', points: pointsAt(10, 200) });
+  await line.ready;
+  const edit = line.set({ kind: 'polyline', points: pointsAt(10, 300) });
+  line.dispose();
+  worker.dispose();
+  assert.equal(await edit, false);
+});
+
 /** Vertices of the shortest loop around the hole of the torus. */
 const onLoop = (i) => ({ vertex: 8 * 49 + i });
 
@@ -92,8 +120,9 @@ test('a change brings the value of the drawn curve, with the legs of a drag', as
       await same.movePoint(1, onLoop(i % 48));
       assert.ok(Math.abs(same.view.length - i * side) < 1e-6, `${i}: ${same.view.length}`);
     }
+    // The value of the dragged curve has its legs, too.
     await same.set(curve.value);
-    assert.ok(Math.abs(same.view.length - 6 * side) < 1e-6, `${same.view.length}`);
+    assert.ok(Math.abs(same.view.length - 42 * side) < 1e-6, `${same.view.length}`);
     for (const each of [curve, same]) each.dispose();
   }
 });

@@ -183,6 +183,16 @@ describe('hooks of react-three-fiber', () => {
     await page.close();
   });
 
+  test('load the engine again after a failure, when a component mounts anew', async () => {
+    const { page } = await open();
+    await page.route('**/*.wasm', (route) => route.abort());
+    await page.evaluate((value) => window.page.show(value), { ...shown, attempt: 1 });
+    await page.waitForFunction(() => window.page.seen.message !== '');
+    await page.unroute('**/*.wasm');
+    await page.evaluate((value) => window.page.show(value), { ...shown, attempt: 2 });
+    await isDrawn(page);
+  });
+
   test('free the memory when they are unmounted', async () => {
     const { page, complaints } = await open();
     const cycle = async () => {

@@ -55,14 +55,15 @@ export function useKarcher({
   const fail = useFailure(onError);
   useEffect(() => {
     let isMounted = true;
-    takeEngine(worker).then(
+    const shared = takeEngine(worker);
+    shared.engine.then(
       (engine) => isMounted && setLoaded({ engine, worker }),
       (error) => isMounted && fail(error),
     );
     return () => {
       isMounted = false;
       setLoaded(undefined);
-      releaseEngine(worker);
+      releaseEngine(shared);
     };
   }, [worker, fail]);
   return loaded?.worker === worker ? loaded.engine : undefined;
@@ -129,10 +130,12 @@ export function useSurfaceCurve(
     // The effects of one component run in order, so that the newest options are known.
     const first = newest.current!;
     const curve = new SurfaceCurve(surface, first, look.current);
+    let isMounted = true;
     curve.addEventListener('change', ({ value, view }) => told.current?.(value, view));
-    curve.ready.catch(fail);
+    curve.ready.catch((error) => isMounted && fail(error));
     setMade({ curve, given: first });
     return () => {
+      isMounted = false;
       setMade(undefined);
       const { material } = curve;
       curve.dispose();

@@ -89,7 +89,10 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     return this.line.material;
   }
 
-  /** The options of the newest curve, even if it is not drawn yet. */
+  /**
+   * The options of the newest curve, even if it is not drawn yet. Those of a curve that was dragged
+   * have its legs once it is drawn.
+   */
   get value(): CurveOptions {
     return this.#value;
   }
@@ -191,12 +194,13 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     try {
       const legs = isDrag && this.view?.drawnLegs;
       const view = await this.#viewOf(legs ? { ...value, legs } : value);
-      this.#drawn = value;
-      if (view && !this.#isDisposed) {
-        this.#draw(view, legs ? { ...value, legs: view.drawnLegs } : value);
-      }
+      const drawn = legs && view ? { ...value, legs: view.drawnLegs } : value;
+      this.#drawn = drawn;
+      if (this.#value === value) this.#value = drawn;
+      if (view && !this.#isDisposed) this.#draw(view, drawn);
       tell(!this.#isDisposed);
     } catch (error) {
+      if (this.#isDisposed) return tell(false);
       // A waiting edit starts from the value that failed here, and may fail, too. The drawn legs
       // are not those of a curve that could not be set.
       const waiting = this.#waiting as Edit | undefined;

@@ -15,6 +15,8 @@ interface Shown {
   look?: { width: number; color: string };
   /** The number of segments round the torus: another number is another geometry. */
   segments: number;
+  /** Another number mounts the model anew. With a number, failures go to `onError`. */
+  attempt?: number;
 }
 
 const seen = {
@@ -29,10 +31,14 @@ const seen = {
   message: '',
 };
 
-function Model({ options, inline, worker, segments, look }: Shown) {
+function Model({ options, inline, worker, segments, look, attempt }: Shown) {
   const geometry = useMemo(() => new TorusGeometry(1, 0.4, 16, segments), [segments]);
-  const karcher = useKarcher({ worker });
-  const surface = useSurface(geometry, { worker });
+  const tell = (error: unknown) => {
+    seen.message = (error as Error).message;
+  };
+  const onError = attempt === undefined ? undefined : tell;
+  const karcher = useKarcher({ worker, onError });
+  const surface = useSurface(geometry, { worker, onError });
   const onChange = (value: CurveOptions) => {
     seen.changes++;
     seen.value = value;
@@ -75,7 +81,7 @@ const page = {
     root.render(
       <StrictMode>
         <Canvas camera={{ position: [0, 0, 3.2] }}>
-          <Boundary key={JSON.stringify([shown.worker])}>
+          <Boundary key={JSON.stringify([shown.worker, shown.attempt])}>
             <Model {...shown} />
           </Boundary>
         </Canvas>
