@@ -1,5 +1,5 @@
 /** The drawings with which a surface opens. */
-import { type Drawing, withObjectPlaces } from './model/drawing';
+import { type Drawing, isBlank, withObjectPlaces } from './model/drawing';
 import { fitting } from './model/fitting';
 import { type Link, lostOf } from './model/link';
 import { formatCount } from './panels/elements';
@@ -32,3 +32,10 @@ export const carried = (drawing: Drawing, from: Surface, to: Surface): Drawing =
     ),
   ),
 });
+
+/**
+ * A drawing that comes along to another reading of a surface; null if it is blank, so that a drawing
+ * kept with that reading stays.
+ */
+export const unlessBlank = (drawing: Drawing): Drawing | null =>
+  isBlank(drawing) ? null : drawing;

@@ -29,7 +29,7 @@ import { drawingOnPart, placesOfDrawing } from './model/part_drawing';
 import type { SurfacePart } from './model/parts';
 import { sameDrawing } from './model/saved_work';
 import { keepFile, keptFile, recall, remember } from './model/storage';
-import { carried, wantedOf } from './opened_drawing';
+import { carried, unlessBlank, wantedOf } from './opened_drawing';
 import { formatBytes, formatCount, formatInteger } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
@@ -95,7 +95,7 @@ export class Opening {
     return this.#open(key, sampleSource(parsed.sample, parsed.detail), (surface, before) => {
       const { mesh, drawing } = this.editor.state;
       const carries = before && mesh !== key && sameSurface(mesh, key);
-      return carries ? carried(drawing, before, surface) : null;
+      return carries ? unlessBlank(carried(drawing, before, surface)) : null;
     });
   }
 
@@ -197,7 +197,7 @@ export class Opening {
       const content = await this.fileOf(key);
       if (signal.aborted) return;
       // Points refer to the file's own triangles, which do not change.
-      const wanted = () => (sameParts ? this.editor.state.drawing : null);
+      const wanted = () => (sameParts ? unlessBlank(this.editor.state.drawing) : null);
       if (content) await this.#open(key, fileSource(key, content), wanted, {}, controller);
       else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
     } finally {
@@ -221,7 +221,7 @@ export class Opening {
     const { drawing, standIn } = this.editor.state;
     const { triangles } = viewer.showSurface(drawn);
     viewer.resetView({ animated: false });
-    this.#showDrawing(key, drawing, triangles, { standIn });
+    this.#showDrawing(key, unlessBlank(drawing), triangles, { standIn });
     this.onEnd();
   }
 

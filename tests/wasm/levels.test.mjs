@@ -222,7 +222,13 @@ test('invalid legs: a sentence, and the curve is unchanged', () => {
   const before = curve.polyline();
   const value = { kind: 'bezier', points, samples: 9 };
   const [place] = points;
-  for (const legs of [[null], [[place], null, null, null, null], 5, [5, null, null], [[5], null, null]]) {
+  for (const legs of [
+    [null],
+    [[place], null, null, null, null],
+    5,
+    [5, null, null],
+    [[5], null, null],
+  ]) {
     assert.throws(() => curve.set({ ...value, legs }), badArgument, JSON.stringify(legs));
   }
   // The number of legs must match, whether or not some are drawn. 4 legs are those of the same

@@ -35,6 +35,51 @@ describe('freehand', () => {
     for (const { x, y } of rest) await page.mouse.move(x, y);
   }
 
+  /** Holds the engine's answers until the returned function is called. */
+  async function held(tab) {
+    const [engine] = tab.engines();
+    await engine.evaluate(() => {
+      const post = globalThis.postMessage;
+      const answers = [];
+      globalThis.postMessage = (...answer) => answers.push(answer);
+      globalThis.release = () => {
+        globalThis.postMessage = post;
+        for (const answer of answers) post.apply(globalThis, answer);
+      };
+    });
+    return () => engine.evaluate(() => globalThis.release());
+  }
+
+  test('that ends during another press leaves a drawing that a file contains', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:5000');
+    const { page } = tab;
+    const middle = await tab.middle();
+    const release = await held(tab);
+    await page.keyboard.press('f');
+    await draw(page, strokeAt(middle));
+    await page.mouse.up();
+    await page.keyboard.press('o');
+    await page.mouse.move(middle.x + 30, middle.y - 60);
+    await page.mouse.down();
+    await page.mouse.move(middle.x + 60, middle.y - 60, { steps: 4 });
+    await release();
+    await page.waitForFunction(() =>
+      window.karcherPage.state().drawing.objects.some(({ figure }) => figure.kind === 'pen'),
+    );
+    await page.mouse.up();
+    await tab.settled();
+    const { drawing } = await tab.state();
+    for (const { id, figure } of drawing.objects) {
+      const isEmpty = figure.points.length === 0 && !figure.circle;
+      assert.ok(!isEmpty || id === drawing.active, `object ${id} is empty`);
+      assert.ok(figure.kind !== 'pen' || !figure.circle, `the curve ${id} has a circle`);
+    }
+    for (let undone = 0; undone < 4; undone++) await page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal((await tab.state()).drawing.objects.length, 1);
+    await tab.close();
+  });
+
   test('makes a curve of few anchors near the stroke, as one step; Escape cancels the stroke', async (t) => {
     const tab = await Tab.open(browser, 'mesh=sphere:5000');
     const { page } = tab;

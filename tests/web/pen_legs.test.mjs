@@ -277,6 +277,25 @@ describe('legs of the pen', () => {
     }
   });
 
+  test('a joint is that of all selected anchors', async () => {
+    const { editor, session } = page;
+    const pen = new page.PenGestures(editor, session, null, null);
+    const anchor = (at) => ({
+      ...along(at),
+      tangents: { after: along(at + 0.1), before: { length: 0.05 } },
+    });
+    await draw([anchor(0), anchor(0.3), anchor(0.6), anchor(0.9)]);
+    editor.selectPoints([0, 1, 3]);
+    pen.setJoint('symmetric');
+    await page.settled();
+    const before = (i) => figure().points[i].tangents.before.length;
+    assert.deepEqual(
+      [0, 1, 2, 3].map((i) => before(i) === 0.05),
+      [false, false, true, false],
+    );
+    editor.undo();
+  });
+
   test('stay on their way around when a click turns their anchor into a corner', async () => {
     await drawnOut([along(-0.3)]);
     await release();

@@ -65,6 +65,21 @@ describe('the selection', () => {
     await tab.close();
   });
 
+  test('of all leaves hidden objects out, so that Delete does not remove them', async () => {
+    const tab = await drawn();
+    const { page } = tab;
+    await page.getByRole('button', { name: 'Show B-spline 1' }).click();
+    await page.locator('#stage').press('Control+a');
+    await page.keyboard.press('Delete');
+    await tab.settled();
+    const left = (await objectsOf(tab)).filter(({ figure }) => figure.points.length > 0);
+    assert.deepEqual(
+      left.map(({ id, visible }) => [id, visible]),
+      [[1, false]],
+    );
+    await tab.close();
+  });
+
   test('Delete removes the object whose points are shown', async () => {
     const tab = await drawn();
     await tab.page.keyboard.press('Escape');

@@ -116,6 +116,8 @@ export class FreehandGestures {
     const points = await this.#fitted(stroke, closed);
     const { editor } = this;
     if (editor.state.mesh !== mesh) return;
+    // Another gesture may have begun during the fit. The command starts from the drawing without it.
+    editor.interrupt();
     const command = drawnAtOnce(editor.state.drawing, points, closed);
     editor.perform(command, { selection: null, chosen: [] });
   }

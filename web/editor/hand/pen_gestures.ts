@@ -231,14 +231,14 @@ export class PenGestures {
   }
 
   /**
-   * Turns the selected anchor, or all anchors if none is selected, into corners or smooth anchors.
+   * Turns the selected anchors, or all anchors if none is selected, into corners or smooth anchors.
    */
   setJoint(joint: Joint): void {
-    const { figure, selection } = this.editor.state;
+    const { figure, selection, more } = this.editor.state;
     const { tangents } = this.session.view;
     if (figure.kind !== 'pen' || !tangents) return;
     const points = figure.points.map((point, i) => {
-      if (selection !== null && selection !== i) return point;
+      if (selection !== null && selection !== i && !more.includes(i)) return point;
       const drawn = tangents[i] ?? {};
       const has = drawn.before || drawn.after;
       if (joint === 'corner' || has)

@@ -347,8 +347,8 @@ export class Editor {
 
   chooseAll(): void {
     const { objects, active } = this.#state.drawing;
-    const ids = objects.filter(({ figure, locked }) => !isEmpty(figure) && !locked);
-    const chosen = ids.map(({ id }) => id);
+    const open = objects.filter(({ visible, locked }) => visible && !locked);
+    const chosen = open.flatMap(({ id, figure }) => (isEmpty(figure) ? [] : [id]));
     const last = chosen.includes(active) ? active : chosen.at(-1);
     if (last !== undefined) this.choose([...chosen.filter((id) => id !== last), last]);
   }
