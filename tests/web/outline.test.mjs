@@ -154,6 +154,8 @@ describe('a saved outline', () => {
   async function savedOutline({ page }) {
     const coming = page.waitForEvent('download');
     await page.locator('#save').click();
+    // The open menu takes the focus, which must not happen between the focus and the key.
+    await page.waitForFunction(() => document.activeElement?.role === 'menuitem');
     await page.getByRole('menuitem', { name: 'with the surface’s outline' }).press('Enter');
     const download = await coming;
     assert.match(download.suggestedFilename(), /\.svg$/);
