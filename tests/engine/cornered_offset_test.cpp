@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "cases.h"
 #include "generators/plane.h"
 #include "generators/random_points.h"
 #include "generators/region_drawings.h"
@@ -137,11 +138,12 @@ TEST(CorneredOffset, AMitreHoldsTheRoundOneAndThatHoldsTheBevel) {
       {"random sphere", meshOf(randomSphere(2000, 2))},
       {"irregular torus", meshOf(irregularTorus(1500, 1, 4))},
       {"genus 3", meshOf(makeShape(Shape::kGenus3, 2000))}};
+  const auto seeds = static_cast<uint64_t>(longRun() ? 60 : casesOf(4, 2));
   for (const auto& entry : meshes) {
     const TriangleMesh& mesh = entry.second;
     const Geometry geometry = buildGeometry(mesh);
     const double surface = surfaceArea(geometry);
-    for (uint64_t seed = 1; seed <= (longRun() ? 60 : 4); ++seed) {
+    for (uint64_t seed = 1; seed <= seeds; ++seed) {
       SCOPED_TRACE(std::string(entry.first) + ", seed " + std::to_string(seed));
       Random random(seed);
       const SurfacePoint middle = randomPoint(mesh, random);

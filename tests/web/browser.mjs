@@ -332,9 +332,12 @@ export class Tab {
       const image = await createImageBitmap(new Blob([file], { type: 'image/png' }));
       const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
       context.drawImage(image, 0, 0);
-      return [...context.getImageData(0, 0, image.width, image.height).data];
+      // A typed array passes to the test as bytes, an array as a list of many objects.
+      return new Uint8Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
     }, png);
-    return Array.from({ length: bytes.length / 4 }, (_, i) => bytes.slice(4 * i, 4 * i + 3));
+    return Array.from({ length: bytes.length / 4 }, (_, i) => [
+      ...bytes.subarray(4 * i, 4 * i + 3),
+    ]);
   }
 
   state = () => this.page.evaluate(() => window.karcherPage.state());

@@ -292,7 +292,7 @@ describe('no work is lost', () => {
     await tab.pastSaving();
     const address = tab.page.url();
     const at = (start) =>
-      tab.page.waitForFunction((key) => window.karcherPage.state().mesh.startsWith(key), start);
+      tab.page.waitForFunction((key) => window.karcherPage?.state().mesh.startsWith(key), start);
     await tab.page.evaluate(() => {
       location.hash = 'mesh=torus:2000';
     });

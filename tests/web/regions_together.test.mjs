@@ -203,6 +203,8 @@ describe('regions moved together and mirrored', () => {
     await page.locator('#closed').check();
     await page.locator('#fill').fill('40');
     await page.keyboard.press('Enter');
+    // The other side is that of a filling that is shown.
+    await tab.settled();
     await page.locator('#other-side').click();
     await page.locator('#fill').blur();
     await tab.settled();
