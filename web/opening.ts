@@ -21,6 +21,7 @@ import {
   type Reading,
   readAs,
   readingOf,
+  sameContent,
   sameSurface,
   sampleSource,
 } from './model/meshes';
@@ -28,7 +29,7 @@ import { type MethodId, methodOptions } from './model/methods';
 import { drawingOnPart, placesOfDrawing } from './model/part_drawing';
 import type { SurfacePart } from './model/parts';
 import { sameDrawing } from './model/saved_work';
-import { keepFile, keptFile, recall, remember } from './model/storage';
+import { keepFile, keptFile, nameFor, recallFor, remember } from './model/storage';
 import { carried, unlessBlank, wantedOf } from './opened_drawing';
 import { formatBytes, formatCount, formatInteger } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
@@ -66,7 +67,7 @@ export class Opening {
   /** Links whose files this browser does not have. Each waits until the user opens its file. */
   readonly #awaited = new Map<string, string>();
   /** The last opened file, in case the browser does not keep it. */
-  #file: { key: string; file: File } | null = null;
+  #file: { key: string; file: File | null } = { key: '', file: null };
   /** The first drawing's history from before a reload. */
   #history: { history: History; link: Link } | null = null;
   #viewer: Viewer | null = null;
@@ -131,7 +132,8 @@ export class Opening {
         throw new Error(`it has ${formatBytes(file.size)}; files of up to 1 GB are opened`);
       }
       const key = await fileKey(file);
-      const awaited = parseLink(this.#awaited.get(key) ?? recall(`awaited.${key}`) ?? '');
+      const name = nameFor('awaited', key);
+      const awaited = parseLink(this.#awaited.get(name) ?? recallFor('awaited', key) ?? '');
       const opened = awaited
         ? await this.#openLink(awaited, fileSource(awaited.mesh, file))
         : await this.#open(key, fileSource(key, file), () => null);
@@ -162,19 +164,16 @@ export class Opening {
    */
   async #keepInside(file: File, { mesh }: Link): Promise<void> {
     const key = await fileKey(file);
-    if (key !== keyOfFile(mesh)) {
+    if (!sameContent(key, keyOfFile(mesh))) {
       throw new Error('the file of the surface that is inside is another one than it was drawn on');
     }
     await this.#keep(key, file);
   }
 
-  /**
-   * The file of a surface; null if this browser does not have it, or the page generates the
-   * surface.
-   */
+  /** The file of a surface; null if this browser has none, or the page generates the surface. */
   async fileOf(mesh: string): Promise<Blob | null> {
     const key = keyOfFile(mesh);
-    return (await keptFile(key)) ?? (this.#file?.key === key ? this.#file.file : null);
+    return (await keptFile(key)) ?? (sameContent(this.#file.key, key) ? this.#file.file : null);
   }
 
   /**
@@ -244,11 +243,11 @@ export class Opening {
       this.#complain(`The link asks for a surface '${mesh}', which this page does not have.`);
       return false;
     }
-    const { client } = this.session;
-    if (client && mesh === this.editor.state.mesh) {
+    const [{ client }, { mesh: shown }] = [this.session, this.editor.state];
+    if (client && sameContent(mesh, shown)) {
       if (method && !(await this.prepare(method))) return false;
       // The user may have opened another surface in the meantime.
-      if (client !== this.session.client || mesh !== this.editor.state.mesh) return false;
+      if (client !== this.session.client || shown !== this.editor.state.mesh) return false;
       if (method) this.editor.setMethod(method);
       this.#replace(wantedOf(link)(this.#viewer!.surface!));
       if (link.view) this.#viewer!.showPlace(link.view, { animated: true });
@@ -367,9 +366,9 @@ export class Opening {
 
   /** Keeps a link until the user opens its file. An empty link ends the waiting. */
   #await(mesh: string, link: string): void {
-    const file = keyOfFile(mesh);
-    this.#awaited.set(file, link);
-    remember(`awaited.${file}`, link);
+    const name = nameFor('awaited', keyOfFile(mesh));
+    this.#awaited.set(name, link);
+    remember(name, link);
   }
 
   async #open(
@@ -433,7 +432,7 @@ export class Opening {
   }
 
   #showDrawing(key: string, wanted: Drawing | null, triangles: number, how: HowOpened): void {
-    const kept = parseLink(recall(`document.${key}`) ?? '')?.drawing ?? emptyDrawing;
+    const kept = parseLink(recallFor('document', key) ?? '')?.drawing ?? emptyDrawing;
     const starting = this.editor.state.mesh === '' && wanted;
     const work = this.#history;
     const history =

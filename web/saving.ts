@@ -2,8 +2,16 @@ import type { Editor } from './editor/state/editor';
 import type { State } from './editor/state/state';
 import type { History } from './model/history';
 import { formatLink, type Link, parseLink, viewFields } from './model/link';
+import { sameContent } from './model/meshes';
 import { linkOfWork, readWork, savedLink, savedWork } from './model/saved_work';
-import { recall, recallInTab, rememberAll, rememberInTab } from './model/storage';
+import {
+  nameFor,
+  recall,
+  recallFor,
+  recallInTab,
+  rememberAll,
+  rememberInTab,
+} from './model/storage';
 import { parseView, type ViewPlace } from './model/view_place';
 
 const delayMilliseconds = 200;
@@ -33,7 +41,7 @@ export function keepDrawing(
   history: Readonly<History> | null,
 ): boolean {
   const text = formatLink(mesh, method, drawing);
-  const document = `document.${mesh}`;
+  const document = nameFor('document', mesh);
   const short = text.length <= longestLink;
   // For a long text, `last` refers to the stored document, so that the text is stored only once.
   const last = short ? text : keptAddress(mesh, method);
@@ -145,16 +153,16 @@ function found(text: string | null | undefined, own: boolean): FoundLink | null 
 export function linkOf(fragment: string): FoundLink | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   if (!fields.get('kept')) return found(fragment, false);
-  const kept = keptLink(fields.get('mesh')) ?? found(fragment, false);
+  const kept = keptLink(fields.get('mesh') ?? '') ?? found(fragment, false);
   const view = parseView(fields.get('view') ?? '');
   return kept && { ...kept, link: { ...kept.link, view } };
 }
 
 /** The drawing that this browser kept for a surface. */
-function keptLink(mesh: string | null): FoundLink | null {
+function keptLink(mesh: string): FoundLink | null {
   const inTab = found(linkOfWork(recallInTab('work') ?? ''), true);
-  if (inTab?.link.mesh === mesh) return inTab;
-  return found(recall(`document.${mesh}`), true);
+  if (inTab && sameContent(inTab.link.mesh, mesh)) return inTab;
+  return found(recallFor('document', mesh), true);
 }
 
 /** The first drawing of the page: from its address, or the last one made in this browser. */

@@ -331,6 +331,8 @@ describe('a drawing', () => {
     assert.equal(page.pastedObjects('words', 'sphere:5000', triangles), null);
     assert.equal(page.pastedObjects('{"a":1}', 'sphere:5000', triangles), null);
     assert.throws(() => page.pastedObjects(text, 'torus:5000', triangles), /another surface/);
+    const ofFile = page.copiedText('file:1abc-9:one.obj', grouped);
+    assert.ok(page.pastedObjects(ofFile, 'file:1abc-9:other.obj', triangles).length > 0);
     assert.deepEqual(page.pastedObjects(text, 'sphere:5000', 0), [], 'all lies beyond the surface');
   });
 

@@ -28,8 +28,8 @@ describe('what is held', () => {
   /** A corner and a selected smooth anchor on the left part. */
   async function drawn() {
     const tab = await Tab.open(browser);
-    // Each test has a file name of its own: the browser restores drawings by file.
-    await tab.drop(`two-${++files}.obj`, twoParts);
+    // Each test has a file of its own: the browser restores drawings by the files' content.
+    await tab.drop('two.obj', `# ${++files}\n${twoParts}`);
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
     await tab.page.keyboard.press('p');
     await tab.click([-60, 90]);

@@ -10,6 +10,14 @@ class Store extends Map {
     this.room = room;
   }
 
+  get length() {
+    return this.size;
+  }
+
+  key(index) {
+    return [...this.keys()][index];
+  }
+
   getItem(name) {
     return this.get(name) ?? null;
   }
@@ -86,6 +94,28 @@ describe('what is kept', () => {
         if (isKept && count > 1000) assert.equal(found(), count, words);
       }
     }
+  });
+
+  test('is found by the content of a file under any name, even as earlier versions kept it', () => {
+    const [one, other] = ['one.obj', 'other.obj'].map((name) => `file:1abc-9.0*0.1~z:${name}`);
+    const found = (mesh) =>
+      page.pointsOf(page.linkOf(`mesh=${encodeURIComponent(mesh)}&kept=1`).link.drawing);
+    const afresh = () => {
+      globalThis.localStorage = new Store();
+      globalThis.sessionStorage = new Store();
+    };
+    afresh();
+    const { method, drawing } = page.parseLink(linkOfPoints(1400, one));
+    page.keepDrawing({ mesh: one, method, drawing }, page.historyOf());
+    assert.deepEqual([found(one), found(other)], [1400, 1400], 'in this tab');
+    globalThis.sessionStorage = new Store();
+    assert.deepEqual([found(one), found(other)], [1400, 1400], 'in another one');
+    assert.equal(found(one.replace('9', '8')), 0, 'another content');
+    afresh();
+    localStorage.setItem(`karcher.document.${one}`, linkOfPoints(1300, one));
+    assert.deepEqual([found(one), found(other)], [1300, 1300]);
+    page.keepDrawing({ mesh: other, method, drawing }, null);
+    assert.deepEqual([found(one), found(other)], [1400, 1400], 'the newer one counts');
   });
 
   test('is reported as kept only if all of it is', () => {

@@ -35,7 +35,7 @@ describe('from a vertex of the rim', () => {
   /** Drops the sheet as another file each time, since the page keeps a drawing for each file. */
   async function openSheet() {
     const tab = await Tab.open(browser);
-    await tab.drop(`sheet-${++sheets}.obj`, sheetWithCorner());
+    await tab.drop('sheet.obj', `# ${++sheets}\n${sheetWithCorner()}`);
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 96);
     await tab.still();
     if ((await tab.page.locator('#snap').getAttribute('aria-pressed')) !== 'true') {

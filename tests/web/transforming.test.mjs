@@ -450,7 +450,7 @@ describe('the frame around the selection', () => {
 
   test('measures circles by their diameter', async () => {
     const tab = await Tab.open(browser);
-    await tab.drop('round.obj', flatGrid(16));
+    await tab.drop('round.obj', `# round\n${flatGrid(16)}`);
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
     await tab.settled();
     await tab.page.locator('#tool-circle').click();

@@ -1,6 +1,7 @@
 /** Objects as copied text, to paste here or in another tab. */
 import type { DrawnObject } from './drawing';
 import { fittingObjects } from './fitting';
+import { sameContent } from './meshes';
 import { drawingVersion, readObjects } from './saved_drawing';
 
 const format = 'karcher-objects';
@@ -28,6 +29,8 @@ export function pastedObjects(
   if (content.version !== drawingVersion) {
     throw new Error('what was copied comes from another version of this page');
   }
-  if (content.surface !== mesh) throw new Error('what was copied lies on another surface');
+  if (!sameContent(`${content.surface}`, mesh)) {
+    throw new Error('what was copied lies on another surface');
+  }
   return fittingObjects(readObjects(content.objects), triangles);
 }

@@ -232,6 +232,15 @@ export function readAs(key: string, reading: Partial<Reading>): string {
   return `file:${digest}${numbers}${welded}${up ? `~${up}` : ''}:${name}`;
 }
 
+/**
+ * The key without the file's name, which the same content has under every name. Any other key is
+ * unchanged.
+ */
+export const contentKey = (key: string) => key.replace(/^(file:[^:]*):.*$/s, '$1');
+
+/** Whether two keys mean the same content that is read in the same way. */
+export const sameContent = (a: string, b: string) => contentKey(a) === contentKey(b);
+
 /** The key of a file without its options for reading; any other key is unchanged. */
 export const keyOfFile = (key: string) => readAs(key, { parts: null, weld: null, up: null });
 

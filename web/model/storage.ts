@@ -3,6 +3,8 @@
  * last opened files (IndexedDB). A browser may keep nothing, for example in private windows: the
  * page then starts afresh, without an error.
  */
+import { contentKey, sameContent } from './meshes';
+
 const prefix = 'karcher.';
 const longestFile = 128 * 1024 * 1024;
 
@@ -55,6 +57,26 @@ export function rememberAll(values: Readonly<Record<string, string>>): string[] 
 }
 export const remember = (name: string, value: string) => rememberAll({ [name]: value });
 export const recall = (name: string) => find(() => localStorage, name);
+
+/** The name of a value that belongs to a surface. */
+export const nameFor = (what: string, key: string) => `${what}.${contentKey(key)}`;
+
+/**
+ * The value that belongs to a surface. Earlier versions had the file's name in the value's name, so
+ * that names with another file's name count as well.
+ */
+export function recallFor(what: string, key: string): string | null {
+  const name = nameFor(what, key);
+  const kept = recall(name) ?? recall(`${what}.${key}`);
+  if (kept !== null || !name.startsWith(`${what}.file:`)) return kept;
+  try {
+    const names = Array.from({ length: localStorage.length }, (_, i) => localStorage.key(i)!);
+    const earlier = names.find((one) => one.startsWith(`${prefix}${name}:`));
+    return earlier ? localStorage.getItem(earlier) : null;
+  } catch {
+    return null;
+  }
+}
 
 /**
  * Keeps a value for this tab only, through reloads; false without room. Without room it also
@@ -148,7 +170,7 @@ export async function keepFile(
         at: lastOpened(file, keys[i]!),
         made: file.made ?? false,
       }))
-      .filter((other) => other.key !== key)
+      .filter((other) => !sameContent(other.key, key))
       .toSorted((a, b) => Number(b.made) - Number(a.made) || b.at - a.at);
     let bytes = content.size;
     const removed: string[] = [];
@@ -156,10 +178,11 @@ export async function keepFile(
       bytes += other.size;
       if (bytes > room) removed.push(other.key);
     }
-    for (const one of removed) files.delete(one);
+    const left = [...removed, ...keys.filter((one) => one !== key && sameContent(one, key))];
+    for (const one of left) files.delete(one);
     files.put({ content, opened: Date.now(), made } satisfies StoredFile, key);
     await kept;
-    for (const one of removed) forget(() => localStorage, openedAgain(one));
+    for (const one of left) forget(() => localStorage, openedAgain(one));
     return removed;
   } catch {
     // The storage is full, or the browser forbids it.
@@ -167,14 +190,19 @@ export async function keepFile(
   }
 }
 
-/** A kept file, which counts as opened now; null if the browser does not have it. */
+/**
+ * The content of a key's file under any name, which counts as opened now; null if the browser does
+ * not have it.
+ */
 export async function keptFile(key: string): Promise<Blob | null> {
   try {
     const files = await openFiles('readonly');
-    const file: StoredFile | undefined = await answered(request(files.get(key)));
-    if (!file) return null;
+    const keys = (await answered(request(files.getAllKeys()))) as string[];
+    const own = keys.find((one) => sameContent(one, key));
+    if (own === undefined) return null;
+    const file: StoredFile = await answered(request(files.get(own)));
     // To store the time with the file, the browser would have to write the whole file again.
-    keep(() => localStorage, openedAgain(key), `${Date.now()}`);
+    keep(() => localStorage, openedAgain(own), `${Date.now()}`);
     return contentOf(file);
   } catch {
     return null;

@@ -1,5 +1,5 @@
 import { keyOfFile, meshLabel } from '../model/meshes';
-import { recall, remember } from '../model/storage';
+import { nameFor, recall, recallFor, remember } from '../model/storage';
 import { guessUnit, isUnit, type Unit } from '../model/units';
 import { byId, fill } from './elements';
 
@@ -14,14 +14,13 @@ const names: Record<Unit, string> = {
 /** The unit of a surface, by its key: the kept choice, or else a guess. */
 export function unitOf(key: string): Unit {
   // Earlier versions kept the choice by the whole key, with its options for reading.
-  const chosen = recall(nameFor(key)) ?? recall(`unit.${key}`);
+  const chosen = recallFor('unit', keyOfFile(key)) ?? recall(`unit.${key}`);
   return isUnit(chosen) ? chosen : guessUnit(meshLabel(key));
 }
 
 /** Keeps the unit of a surface, whose file has one unit with all options for reading. */
-export const keepUnit = (key: string, unit: Unit) => remember(nameFor(key), unit);
-
-const nameFor = (key: string) => `unit.${keyOfFile(key)}`;
+export const keepUnit = (key: string, unit: Unit) =>
+  remember(nameFor('unit', keyOfFile(key)), unit);
 
 /**
  * The unit of the surface's lengths: a guess until the user chooses. The browser keeps the choice

@@ -20,17 +20,11 @@ import {
   type Kind,
 } from '../../model/figure';
 import { applyToFigure, type FigureCommand, fitted } from '../../model/figure_commands';
-import {
-  type History,
-  historyOf,
-  record,
-  recordActivation,
-  stepBack,
-  stepForth,
-} from '../../model/history';
+import { type History, record, recordActivation, stepBack, stepForth } from '../../model/history';
 import type { MethodId } from '../../model/methods';
 import { excessOf } from '../../model/saved_drawing';
 import { Begun } from './begun';
+import { Drawings } from './drawings';
 import { ObjectEdits, type PartOfStep } from './object_edits';
 import {
   changedState,
@@ -51,9 +45,7 @@ export class Editor {
   /** The edits of whole objects. */
   readonly objects = new ObjectEdits(this);
   readonly #listeners: ((state: State, before: State) => void)[] = [];
-  /** The history of each surface shown so far, by its key, and the resulting drawing. */
-  readonly #histories = new Map<string, History>();
-  readonly #drawings = new Map<string, Drawing>();
+  readonly #drawings = new Drawings();
   /** The drawing before the drag under way, and the drag as one command. */
   #drag: { base: Drawing; command: Command | null; inside?: Command | null } | null = null;
   #resting: RestingTool = 'insert';
@@ -84,9 +76,8 @@ export class Editor {
    */
   open(mesh: string, drawing: Drawing, { history, ...how }: HowOpened = {}): void {
     this.cancelDrag();
-    this.#drawings.set(this.#state.mesh, this.#state.drawing);
-    const kept = this.#drawings.get(mesh) ?? drawing;
-    if (history && !this.#drawings.has(mesh)) this.#histories.set(mesh, history);
+    this.#drawings.keep(this.#state.mesh, this.#state.drawing);
+    const kept = this.#drawings.of(mesh, drawing, history);
     const part = { mesh, drawing: kept, standIn: false, selection: null, chosen: [], ...how };
     this.begun.keep();
     this.#change({ ...part, tool: this.#resting }, true);
@@ -477,10 +468,7 @@ export class Editor {
   }
 
   get #history(): History {
-    const { mesh } = this.#state;
-    const history = this.#histories.get(mesh) ?? historyOf();
-    this.#histories.set(mesh, history);
-    return history;
+    return this.#drawings.historyOf(this.#state.mesh);
   }
 
   /** Shows the drawing after undo or redo of a step, and selects the changed place to show it. */
