@@ -5,6 +5,7 @@
 #include "curves/trace/polyline.h"
 #include "curves/trace/sampling.h"
 #include "rcm/mean.h"
+#include "rcm/walk_to_center.h"
 
 /// Tracing of a curve's pieces.
 namespace karcher {
@@ -125,7 +126,7 @@ SurfacePoint Curve::centerOf(const Next& next, const SurfacePoint& point) {
   const std::shared_ptr<PointField> field = fieldSet_->at(point, next.isNear);
   workspace_->fields.assign(1, field.get());
   const std::array weights = {1.0};
-  const CenterOfMass center = walkToCenter(blendFields().blend, weights, point);
+  const SearchEnd center = walkToCenter(blendFields().blend, weights, point);
   return center.status == Status::kConverged ? center.point : point;
 }
 

@@ -186,7 +186,7 @@ void ComparedCurve::traceOn(int segment, int samples) {
     const bool isEnd = i == 0 || i == plan_.table.t.count() - 1;
     if (needsSeed(isEnd)) last_ = startOf(segment, i);
     const Weights weights = plan_.table.row(i);
-    CenterOfMass found = centerAgain(segment, weights, isEnd, center(segment, weights, last_));
+    SearchEnd found = centerAgain(segment, weights, isEnd, center(segment, weights, last_));
     lostByOwnRule_[segment] += isLostByOwnRule(found);
     traced.push_back({plan_.table.t[i], found.point, sampleStatus(found.status)});
     if (found.status != Status::kConverged) continue;
@@ -196,8 +196,7 @@ void ComparedCurve::traceOn(int segment, int samples) {
 }
 
 /// The result of the search or, if it failed, the result of the method's restarts.
-CenterOfMass ComparedCurve::centerAgain(int segment, Weights weights, bool isEnd,
-                                        CenterOfMass found) {
+SearchEnd ComparedCurve::centerAgain(int segment, Weights weights, bool isEnd, SearchEnd found) {
   const ComparedOptions& options = method_.options();
   if (options.method != ComparedMethod::kFields || options.seeds == Seeds::kAuthors) return found;
   if (found.status == Status::kConverged) return found;
@@ -210,7 +209,7 @@ CenterOfMass ComparedCurve::centerAgain(int segment, Weights weights, bool isEnd
   return found;
 }
 
-bool ComparedCurve::isLostByOwnRule(const CenterOfMass& found) const {
+bool ComparedCurve::isLostByOwnRule(const SearchEnd& found) const {
   return mean_ ? !mean_->metLibraryRule() : found.status != Status::kConverged;
 }
 
@@ -218,7 +217,7 @@ int ComparedCurve::lostByOwnRule() const {
   return std::accumulate(lostByOwnRule_.begin(), lostByOwnRule_.end(), 0);
 }
 
-CenterOfMass ComparedCurve::center(int segment, Weights weights, const SurfacePoint& start) {
+SearchEnd ComparedCurve::center(int segment, Weights weights, const SurfacePoint& start) {
   const int first = plan_.first[segment];
   const int count = plan_.table.points;
   const bool authors = method_.options().seeds == Seeds::kAuthors;

@@ -116,9 +116,9 @@ class ComparedCurve {
   void check() const;
   bool makeNextField();
   void traceOn(int segment, int samples);
-  CenterOfMass center(int segment, Weights weights, const SurfacePoint& start);
-  CenterOfMass centerAgain(int segment, Weights weights, bool isEnd, CenterOfMass found);
-  bool isLostByOwnRule(const CenterOfMass& found) const;
+  SearchEnd center(int segment, Weights weights, const SurfacePoint& start);
+  SearchEnd centerAgain(int segment, Weights weights, bool isEnd, SearchEnd found);
+  bool isLostByOwnRule(const SearchEnd& found) const;
   SurfacePoint startOf(int segment, int sample) const;
   bool needsSeed(bool isEnd) const;
 

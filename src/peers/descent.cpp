@@ -180,15 +180,14 @@ DescentPath descendDistance(const Geometry& geometry, const Array<double>& dista
   return Descent(geometry, distances, source).run(start);
 }
 
-CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& path,
-                                 Weights weights) {
+SearchEnd descentCenterOfMass(const Geometry& geometry, const DescentPath& path, Weights weights) {
   if (weights.size() != 2 || !(weights[0] >= 0) || !(weights[1] >= 0) ||
       std::abs(weights[0] + weights[1] - 1) > 1e-9) {
     throw Error(ErrorCode::kBadWeights,
                 "descent has a center of mass for two points only, with weights that are at least "
                 "0 and sum to 1");
   }
-  CenterOfMass center;
+  SearchEnd center;
   if (path.stop != DescentStop::kArrived) center.status = Status::kNoProgress;
   const TriangleMesh& mesh = *geometry.mesh;
   double left = weights[0] * path.length;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "rcm/center_of_mass.h"
+#include "rcm/field_blend.h"
+#include "rcm/search_end.h"
 
 /// Paths by piecewise-linear descent of a distance field: R. Kimmel, J. Sethian, "Computing
 /// geodesic paths on manifolds", Proceedings of the National Academy of Sciences 95 (1998); the
@@ -37,7 +38,6 @@ DescentPath descendDistance(const Geometry& geometry, const Array<double>& dista
 /// weights[1]. Its distance from the source along the path is weights[1] times the path's length.
 /// The status is kNoProgress if the path did not arrive. Throws Error kBadWeights unless there are
 /// two weights, neither negative, with the sum 1.
-CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& path,
-                                 Weights weights);
+SearchEnd descentCenterOfMass(const Geometry& geometry, const DescentPath& path, Weights weights);
 
 }  // namespace karcher

@@ -43,13 +43,13 @@ void LogMapMean::movePoint(int i, const SurfacePoint& point) {
   }
 }
 
-CenterOfMass LogMapMean::centerOfMass(Weights weights, const SurfacePoint& start) {
+SearchEnd LogMapMean::centerOfMass(Weights weights, const SurfacePoint& start) {
   if (weights.size() != points_.size()) {
     throw Error(ErrorCode::kBadWeights, "there are " + std::to_string(weights.size()) +
                                             " weights for " + std::to_string(points_.size()) +
                                             " points");
   }
-  CenterOfMass center;
+  SearchEnd center;
   State state = stateAt(start, weights);
   const double tolerance = options_.tolerance * geometry_.meanEdge;
   double libraryStep = 1;  // the part of the last step that the library tests

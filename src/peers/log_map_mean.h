@@ -4,7 +4,8 @@
 #include <unordered_map>
 
 #include "peers/vector_heat.h"
-#include "rcm/center_of_mass.h"
+#include "rcm/field_blend.h"
+#include "rcm/search_end.h"
 
 /// The Karcher mean by gradient descent over log maps: N. Sharp, Y. Soliman, K. Crane, "The Vector
 /// Heat Method" (2019), section 8.3. Each step follows the straightest geodesic along the weighted
@@ -41,7 +42,7 @@ class LogMapMean {
   /// search may make no progress because the log maps of neighbouring faces do not quite agree, so
   /// that a zero may lie in between. Throws Error: kBadWeights if there is not one weight for each
   /// point, kUnreachable if a control point has no logarithm at the place of the search.
-  CenterOfMass centerOfMass(Weights weights, const SurfacePoint& start);
+  SearchEnd centerOfMass(Weights weights, const SurfacePoint& start);
 
   /// Whether the last search met the stopping rule of the authors' library (geometry-central,
   /// findCenter): a step shorter than a third of the root of the face's area. A step is the

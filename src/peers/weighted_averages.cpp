@@ -17,8 +17,8 @@ constexpr double kAcrossFactor = 10;
 WeightedAverages::WeightedAverages(const TriangleMesh& mesh, Embedding embedding)
     : surface_(mesh, std::move(embedding.positions), std::move(embedding.planes)) {}
 
-CenterOfMass WeightedAverages::centerOfMass(const Array<SurfacePoint>& points, Weights weights,
-                                            const SurfacePoint& start) const {
+SearchEnd WeightedAverages::centerOfMass(const Array<SurfacePoint>& points, Weights weights,
+                                         const SurfacePoint& start) const {
   if (weights.size() != points.size()) {
     throw Error(ErrorCode::kBadWeights, "there are " + std::to_string(weights.size()) +
                                             " weights for " + std::to_string(points.size()) +
@@ -27,7 +27,7 @@ CenterOfMass WeightedAverages::centerOfMass(const Array<SurfacePoint>& points, W
   EmbeddedPoint average = EmbeddedPoint::Zero();
   for (size_t i = 0; i < weights.size(); ++i) average += weights[i] * surface_.position(points[i]);
   const std::optional<SurfacePoint> point = surface_.project(average, start);
-  CenterOfMass center;
+  SearchEnd center;
   center.point = point.value_or(start);
   center.status = point ? Status::kConverged : Status::kNoProgress;
   return center;

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "peers/embedding.h"
-#include "rcm/center_of_mass.h"
+#include "rcm/field_blend.h"
+#include "rcm/search_end.h"
 
 /// Weighted averages on surfaces: D. Panozzo, I. Baran, O. Diamanti, O. Sorkine-Hornung, "Weighted
 /// Averages on Surfaces", ACM Transactions on Graphics 32 (2013). The mesh is embedded in eight
@@ -19,8 +20,8 @@ class WeightedAverages {
   /// The forward problem (section 4). The weights should sum to 1. The status is kNoProgress if the
   /// average has no projection, for example beyond the boundary. Throws Error kBadWeights if there
   /// is not one weight for each point.
-  CenterOfMass centerOfMass(const Array<SurfacePoint>& points, Weights weights,
-                            const SurfacePoint& start) const;
+  SearchEnd centerOfMass(const Array<SurfacePoint>& points, Weights weights,
+                         const SurfacePoint& start) const;
 
   /// The inverse problem (section 5): weights, summing to 1, whose average projects to `target`. Of
   /// all such weights w_i, these minimize the sum of (w_i d_i^2)^2. Here d_i^2 is the squared

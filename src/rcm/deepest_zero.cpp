@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rcm/center_of_mass.h"
+#include "rcm/walk_to_center.h"
 
 namespace karcher {
 namespace {

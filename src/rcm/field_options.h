@@ -31,9 +31,9 @@ struct FieldOptions {
   bool operator==(const FieldOptions&) const = default;
 };
 
-/// Whether exact distances (exact_minimum.h) check centers of mass in fields with these options.
-/// Centers in other fields are minima of another energy.
-inline bool areHeldToExact(const FieldOptions& options) {
+/// Whether exact distances can check centers of mass in fields with these options
+/// (exact_minimum.h). Centers in other fields are minima of another energy.
+inline bool areCheckable(const FieldOptions& options) {
   return options.method == Method::kKarcher && options.solver != Solver::kGraph;
 }
 

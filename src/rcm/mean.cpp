@@ -74,35 +74,35 @@ Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>
 }
 
 bool isToBeChecked(const Mean& mean, const MeanOptions& options) {
-  return options.isChecked && mean.status == Status::kConverged && areHeldToExact(options.field);
+  return options.isChecked && mean.status == Status::kConverged && areCheckable(options.field);
 }
 
 /// The points of a mean, and the blend of fields in which the search found it. `fields`, if not
 /// empty, are the fields of the single points.
 struct Blended {
   FieldBlend& blend;
-  Weights ofBlend;
+  Weights blendWeights;
   const Array<ControlField*>& fields;
   const Array<SurfacePoint>& points;
   Weights weights;
 };
 
 /// Moves a zero to the exact minimum near it, but keeps the zero's energy.
-Mean heldTo(const ExactMinimum& exact, Mean zero) {
+Mean checkedBy(const ExactMinimum& exact, Mean zero) {
   zero.iterations += exact.moves;
   if (!exact.isLowest) zero.status = Status::kLowerNearby;
   zero.point = exact.point;
   return zero;
 }
 
-Mean heldToExact(const Mean& zero, const Blended& in) {
+Mean checkedZero(const Mean& zero, const Blended& in) {
   const Geometry& geometry = in.blend.geometry();
   ExactEnergy energy(geometry, in.points, in.weights);
   if (!in.fields.empty()) energy.guesses = distancesNear(geometry, in.fields, zero.point);
   const ExactMinimum exact = exactMinimumNear(geometry, energy, zero.point);
-  Mean held = heldTo(exact, zero);
-  if (exact.moves > 0) held.energy = in.blend.energy(exact.point, in.ofBlend);
-  return held;
+  Mean checked = checkedBy(exact, zero);
+  if (exact.moves > 0) checked.energy = in.blend.energy(exact.point, in.blendWeights);
+  return checked;
 }
 
 /// With at least this many points, the exact energy is smooth enough for a comparison at few
@@ -117,24 +117,24 @@ std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint
   std::optional<Mean> mean = meanOfMany(surface, merged, options);
   if (!mean || !options.isChecked) return mean;
   const Geometry& geometry = surface.geometry();
-  const auto held = [&](auto energy) {
+  const auto checked = [&](auto energy) {
     const ExactMinimum exact = exactMinimumNear(geometry, energy, mean->point);
-    Mean result = heldTo(exact, *mean);
+    Mean result = checkedBy(exact, *mean);
     result.energy = exact.energy;
     return result;
   };
   return merged.points.count() < kSmooth
-             ? held(ExactEnergy(geometry, merged.points, merged.weights))
-             : held(ExactOneSourceEnergy(geometry, merged));
+             ? checked(ExactEnergy(geometry, merged.points, merged.weights))
+             : checked(ExactOneSourceEnergy(geometry, merged));
 }
 
 /// Checks a mean and its other minima, and removes the zeros that are not minima. With `lowest`,
 /// another minimum replaces the center if it is lower.
 Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
-  Mean center = heldToExact(mean, in);
+  Mean center = checkedZero(mean, in);
   Array<Minimum> others;
   for (const Minimum& other : mean.otherMinima) {
-    Mean found = heldToExact({other.point,
+    Mean found = checkedZero({other.point,
                               Status::kConverged,
                               mean.iterations,
                               other.energy,

@@ -3,8 +3,9 @@
 #include <memory>
 #include <optional>
 
-#include "rcm/center_of_mass.h"
+#include "rcm/field_blend.h"
 #include "rcm/field_set.h"
+#include "rcm/search_end.h"
 #include "rcm/uniqueness.h"
 
 /// The center of mass of given points, without a known start.

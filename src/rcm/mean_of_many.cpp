@@ -175,7 +175,7 @@ Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints&
 
 bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
               const MeanOptions& options) {
-  return points.count() >= kMany && areHeldToExact(options.field) && !options.looksForOthers &&
+  return points.count() >= kMany && areCheckable(options.field) && !options.looksForOthers &&
          std::all_of(weights.begin(), weights.end(), [](double weight) { return weight >= 0; }) &&
          mergedPoints(points, weights).points.count() >= kMany;
 }

@@ -5,9 +5,9 @@
 
 #include "mesh/error.h"
 #include "mesh/rounding.h"
-#include "rcm/center_of_mass.h"
 #include "rcm/exact_minimum.h"
 #include "rcm/field_blend.h"
+#include "rcm/walk_to_center.h"
 
 namespace karcher {
 namespace {
@@ -243,7 +243,7 @@ MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfaceP
   MeanWeights result{balancedWeights(vectors, given, options.nonNegative), false};
   // For balanced weights the gradient vanishes, so that only the Hessian matters here.
   result.isMinimum = isZero(blend, result.weights, x);
-  if (result.isMinimum && areHeldToExact(set.options())) {
+  if (result.isMinimum && areCheckable(set.options())) {
     ExactEnergy energy(set.surface().geometry(), points, result.weights);
     result.isMinimum = exactMinimumNear(set.surface().geometry(), energy, x).moves == 0;
   }

@@ -57,7 +57,7 @@ class MinimumSearch {
       : fields_(fields), weights_(weights), method_(method) {}
 
   void from(const SurfacePoint& start, bool lowest) {
-    const CenterOfMass end = isZero(fields_, weights_, start) ? CenterOfMass{start} : search(start);
+    const SearchEnd end = isZero(fields_, weights_, start) ? SearchEnd{start} : search(start);
     Mean found = withEnergy(fields_, weights_, end);
     const bool isFirst = !begun_;
     begun_ = true;
@@ -74,7 +74,7 @@ class MinimumSearch {
   }
 
  private:
-  CenterOfMass search(const SurfacePoint& start) {
+  SearchEnd search(const SurfacePoint& start) {
     const bool goesDown = goesOnWhereIndefinite(method_);
     return findCenter(fields_, weights_, goesDown ? facedDownhill(fields_, weights_, start) : start,
                       method_);
@@ -121,7 +121,7 @@ int firstLargest(const Array<double>& weights) {
   return static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
 }
 
-Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const CenterOfMass& center) {
+Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const SearchEnd& center) {
   return {center.point,           center.status,
           center.iterations,      fields.energy(center.point, weights),
           Uniqueness::kNotLooked, {}};
@@ -146,19 +146,20 @@ void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean
   mean.otherMinima = std::move(apart);
 }
 
-Mean findMean(Surface& surface, FieldBlend& fields, const Array<double>& weights,
-              const Array<SurfacePoint>& points, const Array<double>& ofPoints,
+Mean findMean(Surface& surface, FieldBlend& fields, const Array<double>& blendWeights,
+              const Array<SurfacePoint>& points, const Array<double>& pointWeights,
               const MeanOptions& options, const SurfacePoint* shared) {
-  MinimumSearch minima(fields, weights, options.field.method);
+  MinimumSearch minima(fields, blendWeights, options.field.method);
   const bool lowest = !options.start;
   const bool goesDown = goesOnWhereIndefinite(options.field.method);
   if (options.start) {
     minima.from(*options.start, lowest);
   } else if (goesDown) {
-    searchFew(surface.mesh(), points, ofPoints, options.looksForOthers,
-              shared ? *shared : averageOfAverages(surface.geometry(), points, ofPoints), minima);
+    searchFew(surface.mesh(), points, pointWeights, options.looksForOthers,
+              shared ? *shared : averageOfAverages(surface.geometry(), points, pointWeights),
+              minima);
   } else if (!options.looksForOthers) {
-    minima.from(points[firstLargest(ofPoints)], lowest);
+    minima.from(points[firstLargest(pointWeights)], lowest);
   }
   if (options.looksForOthers) {
     const bool hasAll = lowest && goesDown;

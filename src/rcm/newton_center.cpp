@@ -2,6 +2,7 @@
 
 #include "intrinsic/straightest.h"
 #include "rcm/paper_method.h"
+#include "rcm/walk_to_center.h"
 
 /// Algorithm 1 of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes". The
 /// paper does not specify the tolerance and the bound on iterations. Nor does it specify how the
@@ -28,7 +29,7 @@ class NewtonSearch {
         point_(start),
         crossingsLeft_(mostCrossingsOfSearch(mesh_)) {}
 
-  CenterOfMass run() {
+  SearchEnd run() {
     const double tolerance = kGradientTolerance * geometry_.diagonal;
     int iteration = 1;
     for (; iteration <= kMaxIterations && crossingsLeft_ > 0; ++iteration) {
@@ -130,7 +131,7 @@ class NewtonSearch {
     const int edge = std::min(h, twin);
     const bool cameBack = facesTried_ > 0 || crossed_ == edge;
     if (cameBack && zeroLiesBehind(h) && zeroLiesBehind(twin)) {
-      const CenterOfMass between = centerBetween(fields_, weights_, h);
+      const SearchEnd between = centerBetween(fields_, weights_, h);
       if (between.status == Status::kConverged) {
         point_ = between.point;
         status_ = between.status;
@@ -183,15 +184,15 @@ class NewtonSearch {
 
 }  // namespace
 
-CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
+SearchEnd newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   NewtonSteps steps;
   return newtonCenter(fields, weights, start, steps);
 }
 
-CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
-                          NewtonSteps& steps) {
+SearchEnd newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
+                       NewtonSteps& steps) {
   NewtonSearch search(fields, weights, start);
-  CenterOfMass center = search.run();
+  SearchEnd center = search.run();
   steps = search.steps();
   return center;
 }

@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "rcm/center_of_mass.h"
+#include "rcm/field_blend.h"
+#include "rcm/search_end.h"
 #include "rcm/surface.h"
 
 /// The method of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes"
@@ -21,7 +22,7 @@ ControlField fieldFromDistances(Surface& surface, const Array<double>& distances
 
 /// Newton's method along geodesics (Algorithm 1) from `start`. If each of two neighbouring faces
 /// has its zero in the other, the center is the zero on their edge (FieldBlend::zeroAlongEdge).
-CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
+SearchEnd newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
 /// Counts of a search's steps, for studies of the paper's claims.
 struct NewtonSteps {
@@ -38,7 +39,7 @@ struct NewtonSteps {
 };
 
 /// The same search, which also counts its steps.
-CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
-                          NewtonSteps& steps);
+SearchEnd newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
+                       NewtonSteps& steps);
 
 }  // namespace karcher

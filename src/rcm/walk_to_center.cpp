@@ -1,31 +1,13 @@
+#include "rcm/walk_to_center.h"
+
 #include <algorithm>
 #include <optional>
 
 #include "intrinsic/straightest.h"
 #include "mesh/rounding.h"
-#include "rcm/center_of_mass.h"
 #include "rcm/deepest_zero.h"
 
 namespace karcher {
-
-const char* statusName(Status status) {
-  switch (status) {
-    case Status::kConverged:
-      return "converged";
-    case Status::kIndefinite:
-      return "indefinite";
-    case Status::kBoundary:
-      return "boundary";
-    case Status::kNoProgress:
-      return "noProgress";
-    case Status::kLimit:
-      return "limit";
-    case Status::kLowerNearby:
-      return "lowerNearby";
-  }
-  return "unknown";
-}
-
 namespace {
 
 constexpr int kMaxFaces = 400;
@@ -49,7 +31,7 @@ std::optional<CellZero> zeroOfCell(FieldBlend& fields, Weights weights, int cell
 
 /// The zero in a cell or on an edge around the tail of a half-edge; the tail itself if there is no
 /// such zero. The result does not depend on the cell from which the search came.
-CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge) {
+SearchEnd centerAroundTail(FieldBlend& fields, Weights weights, int halfedge) {
   const Cells& cells = fields.cells();
   const int first = cells.firstAround(halfedge);
   bool definite = true;
@@ -97,10 +79,10 @@ class ZeroWalk {
       : fields_(fields), geometry_(fields.geometry()), cells_(fields.cells()), weights_(weights) {}
 
   /// Searches from a point; `zero` is the zero of the point's cell, if known.
-  CenterOfMass run(const SurfacePoint& start, const std::optional<CellZero>& zero) {
+  SearchEnd run(const SurfacePoint& start, const std::optional<CellZero>& zero) {
     if (zero && zero->depth() >= kFarWeight) return walk(start, zero);
     const SurfacePoint near = descend(start);
-    CenterOfMass result = walk(near, zeroOfCell(fields_, weights_, cells_.at(near).cell));
+    SearchEnd result = walk(near, zeroOfCell(fields_, weights_, cells_.at(near).cell));
     result.iterations += descents_;
     return result;
   }
@@ -128,7 +110,7 @@ class ZeroWalk {
   }
 
   /// Walks from a point near the zero; `zero` is the zero of the point's cell.
-  CenterOfMass walk(const SurfacePoint& start, std::optional<CellZero> zero) {
+  SearchEnd walk(const SurfacePoint& start, std::optional<CellZero> zero) {
     const int first = cells_.at(start).cell;
     int cell = first;
     int history[kHistory];
@@ -148,7 +130,7 @@ class ZeroWalk {
       if (step > 1 && onward == history[(step - 2) % kHistory]) return betweenFaces(h, step);
       const int known = std::min(step - 1, kHistory);
       if (std::find(history, history + known, onward) != history + known) {
-        CenterOfMass result = centerAroundTail(fields_, weights_, 3 * cell + largest(zero->bary));
+        SearchEnd result = centerAroundTail(fields_, weights_, 3 * cell + largest(zero->bary));
         result.iterations = step;
         return result;
       }
@@ -159,8 +141,8 @@ class ZeroWalk {
   }
 
   /// The zero between two cells, if the zero of each cell lies beyond the common edge.
-  CenterOfMass betweenFaces(int h, int step) {
-    CenterOfMass result = centerBetween(fields_, weights_, h);
+  SearchEnd betweenFaces(int h, int step) {
+    SearchEnd result = centerBetween(fields_, weights_, h);
     result.iterations = step;
     return result;
   }
@@ -199,14 +181,14 @@ class ZeroWalk {
   int descents_ = 0;
 };
 
-CenterOfMass walkThroughCuts(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
+SearchEnd walkThroughCuts(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   return ZeroWalk(fields, weights)
       .run(start, zeroOfCell(fields, weights, fields.cells().at(start).cell));
 }
 
 }  // namespace
 
-CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h) {
+SearchEnd centerBetween(FieldBlend& fields, Weights weights, int h) {
   const double s = fields.zeroAlongEdge(h, weights);
   if (s > 0 && s < 1) return {fields.cells().pointOnEdge(h, s), Status::kConverged, 0};
   return centerAroundTail(fields, weights, s > 0 ? next(h) : h);
@@ -222,7 +204,7 @@ bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point) {
   return zeroOfCell(fields, weights, fields.cells().at(point).cell).has_value();
 }
 
-CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
+SearchEnd walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   if (fields.cells().cut()) return walkThroughCuts(fields, weights, start);
   // Fast path: most samples of a curve lie in the face of the previous sample, and no other zero is
   // near.

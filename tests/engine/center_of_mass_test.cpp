@@ -1,5 +1,3 @@
-#include "rcm/center_of_mass.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -12,6 +10,7 @@
 #include "rcm/gradient_operator.h"
 #include "rcm/mean.h"
 #include "rcm/paper_method.h"
+#include "rcm/walk_to_center.h"
 #include "support.h"
 
 namespace karcher {
@@ -48,7 +47,7 @@ struct FlatCase {
   }
 };
 
-using Search = CenterOfMass (*)(FieldBlend&, Weights, const SurfacePoint&);
+using Search = SearchEnd (*)(FieldBlend&, Weights, const SurfacePoint&);
 
 class CenterOfMassOnThePlane : public testing::TestWithParam<Search> {};
 
@@ -76,7 +75,7 @@ TEST_P(CenterOfMassOnThePlane, IsTheAffineAverage) {
       continue;
     }
     FieldBlend blend = plane.blend();
-    const CenterOfMass center = GetParam()(blend, weights, nearestPoint(plane.mesh, points[0]));
+    const SearchEnd center = GetParam()(blend, weights, nearestPoint(plane.mesh, points[0]));
     EXPECT_EQ(center.status, Status::kConverged);
     EXPECT_LT((position(plane.mesh, center.point) - expected).norm(), 1e-12);
     double energy = 0;
@@ -92,7 +91,7 @@ TEST_P(CenterOfMassOnThePlane, OfOnePointIsThePointEvenAtAVertexOrOnAnEdge) {
   for (const Vec3& p : {Vec3(4, 5, 0), Vec3(4.5, 5, 0), Vec3(4.25, 5.25, 0), Vec3(4.3, 5.1, 0)}) {
     const FlatCase plane({p});
     FieldBlend blend = plane.blend();
-    const CenterOfMass center =
+    const SearchEnd center =
         GetParam()(blend, Array<double>{1.0}, nearestPoint(plane.mesh, Vec3(9.7, 1.2, 0)));
     EXPECT_EQ(center.status, Status::kConverged);
     EXPECT_LT((position(plane.mesh, center.point) - p).norm(), 1e-12);
@@ -103,7 +102,7 @@ TEST_P(CenterOfMassOnThePlane, ReportsTheBoundary) {
   const FlatCase plane({Vec3(1, 4, 0), Vec3(5, 4.3, 0)});
   FieldBlend blend = plane.blend();
   // The affine average, at (-3, 3.7), lies off the surface.
-  const CenterOfMass center =
+  const SearchEnd center =
       GetParam()(blend, Array<double>{2.0, -1.0}, nearestPoint(plane.mesh, Vec3(1.2, 4.4, 0)));
   EXPECT_EQ(center.status, Status::kBoundary);
 }
@@ -111,7 +110,7 @@ TEST_P(CenterOfMassOnThePlane, ReportsTheBoundary) {
 TEST_P(CenterOfMassOnThePlane, RefusesAMaximum) {
   const FlatCase plane({Vec3(5, 4, 0)});
   FieldBlend blend = plane.blend();
-  const CenterOfMass center =
+  const SearchEnd center =
       GetParam()(blend, Array<double>{-1.0}, nearestPoint(plane.mesh, Vec3(5.2, 4.1, 0)));
   EXPECT_EQ(center.status, Status::kIndefinite);
 }
@@ -128,7 +127,7 @@ TEST(NewtonCenter, ReportsItsSteps) {
   const Array<double> weights{0.2, 0.5, 0.3};
   FieldBlend blend = plane.blend();
   NewtonSteps steps;
-  const CenterOfMass center =
+  const SearchEnd center =
       newtonCenter(blend, weights, nearestPoint(plane.mesh, Vec3(1.2, 6.4, 0)), steps);
   EXPECT_EQ(center.status, Status::kConverged);
   EXPECT_EQ(steps.traced, 1);
@@ -210,7 +209,7 @@ TEST(NewtonCenter, GivesUpAtAVertexOnlyIfNoFaceAroundItLeadsOn) {
     int leading = 0;
     int gaveUp = 0;
     for (const int h : outgoingHalfedges(mesh, vertex)) {
-      const CenterOfMass center = newtonCenter(blend, one, edgePoint(h, 0));
+      const SearchEnd center = newtonCenter(blend, one, edgePoint(h, 0));
       const bool stayed = position(mesh, center.point) == position(mesh, there);
       gaveUp += stayed && center.status == Status::kNoProgress;
       leading += !stayed;

@@ -14,6 +14,7 @@
 #include "measures/allocations.h"
 #include "mesh/mesh_import.h"
 #include "peers/timed_field.h"
+#include "rcm/walk_to_center.h"
 #include "support.h"
 
 namespace karcher {

@@ -36,7 +36,7 @@ TEST(Descent, FollowsAStraightLineWhereDistancesAreLinear) {
     ASSERT_EQ(path.stop, DescentStop::kArrived);
     EXPECT_NEAR(path.length, (b - a).norm(), 1e-12);
     const Array<double> weights{0.3, 0.7};
-    const CenterOfMass center = descentCenterOfMass(geometry, path, weights);
+    const SearchEnd center = descentCenterOfMass(geometry, path, weights);
     EXPECT_EQ(center.status, Status::kConverged);
     EXPECT_LT((position(mesh, center.point) - (0.3 * a + 0.7 * b)).norm(), 1e-12);
   }
@@ -144,7 +144,7 @@ TEST(Descent, ReportsWhereItIsStuck) {
                       nearestPoint(mesh, {5.2, 4.9, 0}), nearestPoint(mesh, {2.3, 2.6, 0}));
   EXPECT_EQ(path.stop, DescentStop::kStuck);
   EXPECT_LT((position(mesh, path.points.back()) - Vec3(1, 1, 0)).norm(), 1e-12);
-  const CenterOfMass center = descentCenterOfMass(geometry, path, Array<double>{0.5, 0.5});
+  const SearchEnd center = descentCenterOfMass(geometry, path, Array<double>{0.5, 0.5});
   EXPECT_EQ(center.status, Status::kNoProgress);
 }
 

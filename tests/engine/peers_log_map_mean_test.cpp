@@ -44,7 +44,7 @@ TEST(LogMapMean, TracesTheSplineOfAnIndependentLibrary) {
   while (file >> segment >> t >> expected[0] >> expected[1] >> expected[2]) {
     if (segment != traced) mean.setPoints({points.begin() + segment, points.begin() + segment + 4});
     traced = segment;
-    const CenterOfMass center = mean.centerOfMass(uniformCubicBasis(t), start);
+    const SearchEnd center = mean.centerOfMass(uniformCubicBasis(t), start);
     start = center.point;
     ++samples;
     if (center.status != Status::kConverged) {
@@ -73,7 +73,7 @@ TEST(LogMapMean, OfExactLogarithmsOnThePlaneIsTheAffineAverage) {
       expected += weights[k] * position(mesh, points[k]);
     }
     LogMapMean mean(geometry, affineHeatOf(operators), points);
-    const CenterOfMass center = mean.centerOfMass(weights, points[i % 4]);
+    const SearchEnd center = mean.centerOfMass(weights, points[i % 4]);
     EXPECT_EQ(center.status, Status::kConverged) << "seed 31, case " << i;
     EXPECT_LT((position(mesh, center.point) - expected).norm(), 1e-6 * geometry.meanEdge);
     EXPECT_LE(mean.logMapCount(), 9);
@@ -86,7 +86,7 @@ TEST(LogMapMean, ReportsTheBoundary) {
   const HeatOperators operators(geometry);
   LogMapMean mean(geometry, affineHeatOf(operators),
                   {nearestPoint(mesh, {1, 4.2, 0}), nearestPoint(mesh, {5, 4.4, 0})});
-  const CenterOfMass center =
+  const SearchEnd center =
       mean.centerOfMass(Array<double>{2.0, -1.0}, nearestPoint(mesh, {1.2, 4.4, 0}));
   EXPECT_EQ(center.status, Status::kBoundary);
 }
@@ -104,7 +104,7 @@ TEST(LogMapMean, MeetsTheLibraryRuleByItsShortestStep) {
     LogMapMean mean(geometry, affineHeatOf(operators),
                     {nearestPoint(mesh, {1, 4.2, 0}), nearestPoint(mesh, {5, 4.4, 0})});
     const Array<double> weights{1 + beyond, -beyond};
-    const CenterOfMass center = mean.centerOfMass(weights, nearestPoint(mesh, {1.2, 4.4, 0}));
+    const SearchEnd center = mean.centerOfMass(weights, nearestPoint(mesh, {1.2, 4.4, 0}));
     const Vec3 inPlane(1 - 4 * beyond, 4.2 - 0.2 * beyond, 0);
     const double step = (inPlane - position(mesh, center.point)).norm();
     EXPECT_EQ(center.status, inPlane.x() > 0 ? Status::kConverged : Status::kBoundary) << beyond;
@@ -134,7 +134,7 @@ TEST(LogMapMean, KeepsLogMapsOfPointsThatMove) {
     // The point moves away and back: its log map is still known.
     const SurfacePoint there = edgePoint(mesh.outgoing[1409], 0.5);
     mean.movePoint(2, there);
-    const CenterOfMass moved = mean.centerOfMass(weights, points[1]);
+    const SearchEnd moved = mean.centerOfMass(weights, points[1]);
     const int after = mean.logMapCount();
     mean.movePoint(2, points[2]);
     EXPECT_EQ(position(mesh, mean.centerOfMass(weights, points[1]).point), position(mesh, first));
@@ -147,7 +147,7 @@ TEST(LogMapMean, KeepsLogMapsOfPointsThatMove) {
     }
     // Kept log maps do not change the result.
     LogMapMean fresh(geometry, logMaps, {points[0], points[1], there});
-    const CenterOfMass expected = fresh.centerOfMass(weights, points[1]);
+    const SearchEnd expected = fresh.centerOfMass(weights, points[1]);
     EXPECT_EQ(moved.status, expected.status);
     EXPECT_EQ(position(mesh, moved.point), position(mesh, expected.point));
     EXPECT_GE(computed, mean.logMapCount());

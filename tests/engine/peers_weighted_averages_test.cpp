@@ -175,12 +175,12 @@ TEST(WeightedAverages, OnThePlaneAreAffineAverages) {
       points.push_back(nearestPoint(mesh, p));
       expected += weights[k] * p;
     }
-    const CenterOfMass center = averages.centerOfMass(points, weights, points[0]);
+    const SearchEnd center = averages.centerOfMass(points, weights, points[0]);
     EXPECT_EQ(center.status, Status::kConverged);
     EXPECT_LT((position(mesh, center.point) - expected).norm(), 1e-6);
   }
   // The expected point lies off the surface.
-  const CenterOfMass outside =
+  const SearchEnd outside =
       averages.centerOfMass({nearestPoint(mesh, {0.1, 0.5, 0}), nearestPoint(mesh, {0.9, 0.5, 0})},
                             Array<double>{3.0, -2.0}, nearestPoint(mesh, {0.1, 0.5, 0}));
   EXPECT_EQ(outside.status, Status::kNoProgress);
@@ -204,7 +204,7 @@ TEST(WeightedAverages, OfTwoPointsOfTheSphereLieNearTheGreatCircle) {
     if (distance < 0.1 || distance > 1.5) continue;
     ++tried;
     const double t = random.uniform();
-    const CenterOfMass center = averages.centerOfMass({a, b}, Array<double>{1 - t, t}, a);
+    const SearchEnd center = averages.centerOfMass({a, b}, Array<double>{1 - t, t}, a);
     ASSERT_EQ(center.status, Status::kConverged);
     const Vec3 expected =
         (std::sin((1 - t) * distance) * p + std::sin(t * distance) * q) / std::sin(distance);
@@ -230,7 +230,7 @@ TEST(WeightedAverages, WeightsOfAPointAverageToIt) {
     double sum = 0;
     for (const double w : weights) sum += w;
     EXPECT_NEAR(sum, 1, 1e-9);
-    const CenterOfMass center = averages.centerOfMass(points, weights, target);
+    const SearchEnd center = averages.centerOfMass(points, weights, target);
     ASSERT_EQ(center.status, Status::kConverged) << "seed 6, case " << i;
     EXPECT_LT((position(bunny.mesh, center.point) - position(bunny.mesh, target)).norm(),
               1e-6 * bunny.geometry.meanEdge);

@@ -37,7 +37,7 @@ TEST(SegmentRestart, ASampleIsLostOnlyIfEveryStartFails) {
       ++lost;
       for (int k = 0; k < 4; ++k) {
         if (table.row(i)[static_cast<size_t>(k)] < 1e-9) continue;
-        const CenterOfMass center =
+        const SearchEnd center =
             findCenter(fields.blend, table.row(i), points[k]->point(), options.method);
         EXPECT_NE(center.status, Status::kConverged)
             << "seed 44, segment " << j << ", sample " << i << ", point " << k;

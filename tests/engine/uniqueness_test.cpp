@@ -9,6 +9,7 @@
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
 #include "rcm/mean.h"
+#include "rcm/walk_to_center.h"
 #include "support.h"
 
 namespace karcher {
@@ -232,7 +233,7 @@ TEST(Uniqueness, ACertainMinimumIsReachedFromAThousandStarts) {
       for (int c = 0; c < 3; ++c) {
         inBall = inBall && distances[surface.mesh().corner(start.face, c)] <= radius;
       }
-      const CenterOfMass end = walkToCenter(blend, weights, start);
+      const SearchEnd end = walkToCenter(blend, weights, start);
       const Vec3 there = position(surface.mesh(), end.point);
       if (inBall) {
         EXPECT_EQ(end.status, Status::kConverged);

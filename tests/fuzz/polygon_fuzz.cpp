@@ -192,7 +192,7 @@ class Fuzz {
       }
       const double t = (a.t + b.t) / 2;
       const Array<double> weights = piece.weights(t);
-      const CenterOfMass center = findCenter(blend, weights, a.point, Method::kKarcher);
+      const SearchEnd center = findCenter(blend, weights, a.point, Method::kKarcher);
       if (center.status != Status::kConverged) {
         ++tally_.lostBetween;
         return;

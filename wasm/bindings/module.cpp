@@ -4,7 +4,7 @@
 #include "bindings/graph_builder_handle.h"
 #include "bindings/guard.h"
 #include "bindings/mesh_handle.h"
-#include "rcm/center_of_mass.h"
+#include "rcm/search_end.h"
 
 // The statistics of the allocator. Emscripten's <malloc.h> does not declare them.
 extern "C" {

@@ -75,8 +75,8 @@ CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PiecePar
   const auto centerAt = [&](double t) {
     const CurveSample& start = from.status == SampleStatus::kConverged ? from : to;
     if (start.status != SampleStatus::kConverged) return CurveSample{t, start.point, start.status};
-    const CenterOfMass center = findCenter(fields, pieceOf(curve, at).weights(t), start.point,
-                                           curve.options().field.method);
+    const SearchEnd center = findCenter(fields, pieceOf(curve, at).weights(t), start.point,
+                                        curve.options().field.method);
     return CurveSample{t, center.point, sampleStatus(center.status)};
   };
   while (to.t - from.t > kChainRounding &&

@@ -73,7 +73,7 @@ bool EdgeCrossings::appendBetween(const CurveSample& from, const CurveSample& to
   if (bisections == kMostBisections) return false;
   const double t = (from.t + to.t) / 2;
   basis_(t, workspace_.weights);
-  const CenterOfMass center = findCenter(fields_, workspace_.weights, from.point, method_);
+  const SearchEnd center = findCenter(fields_, workspace_.weights, from.point, method_);
   if (center.status != Status::kConverged) return false;
   const CurveSample middle{t, center.point, SampleStatus::kConverged};
   return appendBetween(from, middle, bisections + 1) && appendBetween(middle, to, bisections + 1);

@@ -72,9 +72,9 @@ class JumpSearch {
       }
       const bool backwards = direction == Direction::kBackwards;
       const SurfacePoint& start = backwards ? step.to.point : step.from.point;
-      const CenterOfMass center = findCenter(fields_, weights, start, method_);
+      const SearchEnd center = findCenter(fields_, weights, start, method_);
       if (direction == Direction::kBoth) {
-        const CenterOfMass other = findCenter(fields_, weights, step.to.point, method_);
+        const SearchEnd other = findCenter(fields_, weights, step.to.point, method_);
         if (other.status != center.status || other.point.face != center.point.face ||
             other.point.bary != center.point.bary) {
           *differ = true;

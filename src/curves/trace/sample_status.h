@@ -1,11 +1,11 @@
 #pragma once
 
-#include "rcm/center_of_mass.h"
+#include "rcm/search_end.h"
 
 namespace karcher {
 
 /// The status of a curve's point: a center of mass, the end of a search that found none
-/// (rcm/center_of_mass.h), or a point of a bridge (bridge.h).
+/// (rcm/search_end.h), or a point of a bridge (bridge.h).
 enum class SampleStatus {
   kConverged,
   kIndefinite,

@@ -180,7 +180,7 @@ class AdaptiveTrace {
   }
 
   CurveSample find(double t, Weights weights, const SurfacePoint& start) {
-    const CenterOfMass center = findCenter(fields_, weights, start, method_);
+    const SearchEnd center = findCenter(fields_, weights, start, method_);
     return {t, center.point, sampleStatus(center.status)};
   }
 

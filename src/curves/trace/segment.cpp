@@ -74,7 +74,7 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
       continue;
     }
     if (isEnd) start = &points[heaviest(table.row(i))]->point();
-    CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);
+    SearchEnd center = findCenter(fields.blend, table.row(i), *start, method);
     if (center.status != Status::kConverged) {
       findRestarts(table.row(i), method, isEnd, fields.restarts);
       for (const int point : fields.restarts) {

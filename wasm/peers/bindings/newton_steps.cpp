@@ -35,7 +35,7 @@ val newtonSteps(MeshHandle& mesh, const val& points, const val& weights, const v
     const Array<double> ofRow(row, row + count);
     const auto largest = std::max_element(ofRow.begin(), ofRow.end()) - ofRow.begin();
     NewtonSteps steps;
-    const CenterOfMass center =
+    const SearchEnd center =
         newtonCenter(blend, ofRow, warm && last ? *last : places[largest], steps);
     const bool converged = center.status == Status::kConverged;
     if (converged) {

@@ -1,35 +1,14 @@
 #pragma once
 
 #include "rcm/field_blend.h"
+#include "rcm/search_end.h"
 
-/// The Riemannian center of mass of weighted points: the zero of grad K.
+/// The walk to the zero of grad K, which is a center of mass.
 namespace karcher {
-
-/// The result of a search. With kConverged the point is a center of mass (a local minimum of K);
-/// otherwise it is the place where the search ended.
-enum class Status {
-  kConverged,
-  kIndefinite,  ///< the Hessian is not positive definite: the points are too far apart
-  kBoundary,    ///< the minimum lies on the boundary, where grad K does not vanish
-  kNoProgress,  ///< no point along the Newton step has a smaller gradient
-  kLimit,       ///< the search reached its bound on iterations
-  /// The point is a zero, but K by exact distances is lower near it (exact_minimum.h). This status
-  /// is only for checked means (mean.h).
-  kLowerNearby,
-};
-
-/// The name of a status in reports: "converged".
-const char* statusName(Status status);
 
 /// The tolerance of a zero's barycentric weights. The zero counts as inside the face if no weight
 /// is below 0 by more than this tolerance.
 inline constexpr double kInsideTolerance = 1e-10;
-
-struct CenterOfMass {
-  SurfacePoint point;
-  Status status = Status::kConverged;
-  int iterations = 0;
-};
 
 /// Whether grad K vanishes at a point, up to rounding, and the Hessian there is positive definite.
 /// A search that starts there ends at once, although a nearby face may hold another zero, deeper
@@ -39,12 +18,12 @@ bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point);
 /// The zero between the two cells at half-edge h, if each cell has its zero beyond h. It is the
 /// point of h where the field's component along h vanishes. If this point is an end of h, the
 /// result is the zero around this end. The edge must not lie on the boundary.
-CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h);
+SearchEnd centerBetween(FieldBlend& fields, Weights weights, int h);
 
 /// Finds the zero of the blended field by walking from face to face. In each face a closed form
 /// gives the zero. If the zero lies outside the face, the walk crosses an edge beyond which the
 /// zero lies. From a start near the zero the walk visits one or two faces. A zero between faces
 /// lies on their common edge or vertex.
-CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
+SearchEnd walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
 }  // namespace karcher
