@@ -20,7 +20,7 @@ class CurveHandle {
   val view(const val& options) const;
   /// The curve's value (curve_value.h): {points, legs} and the properties of its shape.
   val value() const;
-  /// The legs, as `legsAndShorterToJs` of legs.h returns them.
+  /// The legs, as `legsAndShorterToJs` of curve_value.h returns them.
   val legs() { return legsAndShorterToJs(mesh_, curve_); }
 
   /// Makes the edit of this name, and sets what `EngineCurveEdits` of karcher-engine.d.mts says.

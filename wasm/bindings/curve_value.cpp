@@ -1,8 +1,13 @@
 #include "bindings/curve_value.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "bindings/field_options.h"
+#include "bindings/path.h"
+#include "distance/find_path.h"
+#include "distance/waypoints.h"
 #include "mesh/error.h"
 
 namespace karcher::bindings {
@@ -15,6 +20,43 @@ CurveKind curveKind(const std::string& name) {
 }
 
 namespace {
+
+/// Paths count as equally short if the relative difference of their lengths is below this.
+constexpr double kSameLength = 1e-9;
+
+/// Weights below this limit come from rounding. For example, a link may have only two weights of a
+/// point; the third weight is then computed.
+constexpr double kNoWeight = 1e-15;
+
+/// The same points, but points that are on an edge up to rounding are moved onto the edge.
+Array<SurfacePoint> onEdges(Array<SurfacePoint> points) {
+  for (SurfacePoint& point : points) {
+    for (int k = 0; k < 3; ++k) {
+      if (point.bary[k] < kNoWeight) point.bary[k] = 0;
+    }
+  }
+  return points;
+}
+
+bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.face == b.face && a.bary == b.bary;
+}
+
+/// The legs of a curve's value in the form for JavaScript (see Legs). A search with the options
+/// `shortest` recognises the shortest legs.
+val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs,
+             const FindPathOptions& shortest) {
+  val list = val::array();
+  FindPathWorkspace workspace;
+  for (int i = 0; i < legs.count(); ++i) {
+    Array<SurfacePoint> waypoints;
+    if (!legs[i].points.empty()) {
+      waypoints = waypointsOf(mesh.geometry(), legs[i], workspace, shortest);
+    }
+    list.set(i, toJs(mesh.numbering(), waypoints));
+  }
+  return list;
+}
 
 val plain(const CurveShape& shape) {
   val result = val::object();
@@ -51,6 +93,48 @@ CurveShape shapeFromJs(const val& shape) {
 
 }  // namespace
 
+Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const Array<SurfacePoint>& points,
+                                const val& legs, const val& areDrawn) {
+  const Geometry& geometry = mesh.geometry();
+  const Array<int> drawn = bindings::fromJs<int>(areDrawn);
+  Array<SurfacePath> paths;
+  Array<Leg> known;
+  FindPathWorkspace workspace;
+  const int count = legs["length"].as<int>();
+  for (int i = 0; i < count; ++i) {
+    paths.emplace_back();
+    // The engine rejects a curve with more legs than points.
+    if (i >= points.count()) continue;
+    Array<SurfacePoint> given = pointsFromJs(mesh.numbering(), mesh.mesh(), legs[i]);
+    if (given.count() < (drawn[i] ? 2 : 1)) continue;
+    Leg leg{points[i], points[(i + 1) % points.count()], {}, {}};
+    if (drawn[i]) {
+      leg.from = given.front();
+      leg.to = given.back();
+      given.erase(given.begin());
+      given.pop_back();
+    }
+    leg.waypoints = onEdges(std::move(given));
+    const auto isIt = [&](const Leg& other) {
+      return isSame(other.from, leg.from) && isSame(other.to, leg.to) &&
+             std::equal(other.waypoints.begin(), other.waypoints.end(), leg.waypoints.begin(),
+                        leg.waypoints.end(), isSame);
+    };
+    const auto before = std::find_if(known_.begin(), known_.end(), isIt);
+    if (before != known_.end()) {
+      leg.path = before->path;
+    } else if (!findPathBy(geometry, leg.from, leg.waypoints, leg.to, workspace, leg.path)) {
+      throw Error(ErrorCode::kUnreachable,
+                  "leg " + std::to_string(i) +
+                      " goes through a point on another component than one of its ends");
+    }
+    paths.back() = leg.path;
+    known.push_back(std::move(leg));
+  }
+  known_ = std::move(known);
+  return paths;
+}
+
 CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs) {
   const val sampling = value["sampling"];
   CurveOptions options{
@@ -72,6 +156,28 @@ val toJs(const MeshHandle& mesh, const CurveParts& parts) {
   const bool isPolyline = parts.shape.kind == CurveKind::kPolyline;
   result.set("legs", legsToJs(mesh, parts.legs, {.certified = isPolyline}));
   return result;
+}
+
+val legsAndShorterToJs(const MeshHandle& mesh, Curve& curve) {
+  val list = val::array();
+  FindPathWorkspace workspace;
+  const auto pathOf = [&](const SurfacePath& path) {
+    return pathToJs(mesh.numbering(), mesh.mesh(), path.points, path.length());
+  };
+  const Array<SurfacePath>& legs = curve.legs();
+  const Array<SurfacePath>& given = curve.value().legs;
+  for (int i = 0; i < legs.count(); ++i) {
+    val leg = val::object();
+    leg.set("path", pathOf(legs[i]));
+    SurfacePath shorter;
+    if (!given.empty() && !given[i].points.empty() &&
+        findPath(mesh.geometry(), legs[i].start(), legs[i].end(), workspace, shorter) &&
+        shorter.length() < legs[i].length() * (1 - kSameLength)) {
+      leg.set("shorter", pathOf(shorter));
+    }
+    list.set(i, leg);
+  }
+  return list;
 }
 
 }  // namespace karcher::bindings
