@@ -148,7 +148,7 @@ export function checkLength(array: ArrayLike<unknown>, multipleOf: number, what:
 }
 
 /** The three numbers of an array, or of an object with x, y and z; NaN and infinity pass. */
-function toTriple(value: unknown, what: string): Float64Array {
+export function toTriple(value: unknown, what: string): Float64Array {
   const { x, y, z } = (value ?? {}) as Partial<Record<'x' | 'y' | 'z', unknown>>;
   const named = typeof value === 'object' && [x, y, z].some((entry) => entry !== undefined);
   const numbers = toFloat64(named ? [x, y, z] : value, what);
@@ -163,22 +163,6 @@ export function toVector(value: unknown, what: string): Float64Array {
     checkNumber(component, `component ${i} of ${what}`);
   });
   return vector;
-}
-
-/**
- * A point as four numbers for the engine. A point of a face has the face and three weights. A
- * vertex has NaN, its number, 0 and 0.
- */
-export function checkPointLike(value: unknown, what: string): Float64Array {
-  const point = value as Partial<{ vertex: unknown; face: unknown; bary: unknown }> | null;
-  if (typeof point !== 'object' || point === null) {
-    throw badArgument(`${what} must be {face, bary} or {vertex}, not ${shown(value)}`);
-  }
-  if (point.vertex !== undefined) {
-    return Float64Array.of(Number.NaN, checkInteger(point.vertex, `the vertex of ${what}`), 0, 0);
-  }
-  const face = checkInteger(point.face, `the face of ${what}`);
-  return Float64Array.of(face, ...toTriple(point.bary, `the weights of ${what}`));
 }
 
 /** The names of all options of a type. The compiler checks that the list is complete. */

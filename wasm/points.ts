@@ -1,19 +1,36 @@
-import { badArgument, checkArray, checkPointLike, shown, toFloat64, toInt32 } from './check.js';
+import {
+  badArgument,
+  checkArray,
+  checkInteger,
+  shown,
+  toFloat64,
+  toInt32,
+  toTriple,
+} from './check.js';
 import type { PointArrays, PointLike, SurfacePoint } from './types.js';
 
 /**
- * A caller's point in the engine's form (`checkPointLike`). The engine checks the point against the
- * mesh.
+ * A caller's point as four numbers for the engine, which checks it against the mesh. A point of a
+ * face has the face and three weights. A vertex has NaN, its number, 0 and 0.
  */
-export const wirePoint = (point: PointLike, what = 'the point'): Float64Array =>
-  checkPointLike(point, what);
+export function wirePoint(value: unknown, what = 'the point'): Float64Array {
+  const point = value as Partial<{ vertex: unknown; face: unknown; bary: unknown }> | null;
+  if (typeof point !== 'object' || point === null) {
+    throw badArgument(`${what} must be {face, bary} or {vertex}, not ${shown(value)}`);
+  }
+  if (point.vertex !== undefined) {
+    return Float64Array.of(Number.NaN, checkInteger(point.vertex, `the vertex of ${what}`), 0, 0);
+  }
+  const face = checkInteger(point.face, `the face of ${what}`);
+  return Float64Array.of(face, ...toTriple(point.bary, `the weights of ${what}`));
+}
 
 /** Points as four numbers each, one after the other. */
 export function wirePoints(points: unknown, what = 'the points'): Float64Array {
   const array = checkArray(points, what);
   const all = new Float64Array(4 * array.length);
   for (let i = 0; i < array.length; i++) {
-    all.set(checkPointLike(array[i], `point ${i}`), 4 * i);
+    all.set(wirePoint(array[i], `point ${i}`), 4 * i);
   }
   return all;
 }
@@ -63,14 +80,3 @@ export function toSurfacePoints(wire: Float64Array): SurfacePoint[] {
 export const withPoint = <At extends { point: Float64Array }>(
   at: At,
 ): Omit<At, 'point'> & { point: SurfacePoint } => ({ ...at, point: toSurfacePoint(at.point) });
-
-/**
- * The corner after the corner nearest to a point, in the point's face. It serves as the end of a
- * drag by about an edge.
- */
-export function nextCorner({ face, bary }: SurfacePoint): SurfacePoint {
-  const heaviest = bary.indexOf(Math.max(...bary));
-  const corner: [number, number, number] = [0, 0, 0];
-  corner[(heaviest + 1) % 3] = 1;
-  return { face, bary: corner };
-}

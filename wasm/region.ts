@@ -5,7 +5,6 @@ import {
   checkNumber,
   checkOneOf,
   checkOptions,
-  checkPointLike,
   namesOf,
   shown,
   toFloat64,
@@ -79,7 +78,7 @@ export class Region {
    * boundary, the result may be either.
    */
   contains(point: SurfacePoint): boolean {
-    const [face, , x, y] = checkPointLike(point, 'the point') as unknown as number[];
+    const [face, , x, y] = wirePoint(point) as unknown as number[];
     const { share, triangles, sides } = this.#data;
     const whole = share[face!];
     if (Number.isNaN(face)) {

@@ -1,9 +1,9 @@
 import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
-import { nextCorner, toSurfacePoint, wirePoint } from '../points.js';
+import { toSurfacePoint, wirePoint } from '../points.js';
 import type { CurveSamples, LongWorkOptions } from '../types.js';
-import { type DragMeasures, measureDrag } from './drag.js';
+import { type DragMeasures, measureDrag, nextCorner } from './drag.js';
 import { alongPath, type CurveMeasures, CurveMeter, type ReferenceSamples } from './measure.js';
 import type { Peers } from './peers.js';
 import { comparedMethods } from './prepared_method.js';

@@ -6,11 +6,11 @@ import {
   type Object3D,
   Vector3,
 } from 'three';
-import { checkPointLike } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { Karcher } from '../karcher.js';
 import type { EnginePlanes } from '../karcher-engine.mjs';
 import type { Mesh } from '../mesh.js';
+import { wirePoint } from '../points.js';
 import type { MeshOptions, PointLike, SurfacePoint } from '../types.js';
 import type { RemoteKarcher, RemoteMesh } from '../worker/index.js';
 import { Triangles } from './triangles.js';
@@ -139,12 +139,7 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
 
   /** A point with its face. For a vertex, the face is the engine's. */
   #checked(point: PointLike): InFace {
-    const given = Array.from(checkPointLike(point, 'the point')) as [
-      number,
-      number,
-      number,
-      number,
-    ];
+    const given = Array.from(wirePoint(point)) as [number, number, number, number];
     if (Number.isNaN(given[0])) {
       const [, vertex] = given;
       const face = this.#planes.faceOf[vertex] ?? -1;
