@@ -46,6 +46,13 @@ describe('while the page waits', () => {
     }, name);
   const held = (tab, count) =>
     tab.page.waitForFunction((wanted) => window.held.length >= wanted, count);
+  const release = async (tab) => {
+    await hold(tab, '');
+    await tab.page.evaluate(() => {
+      for (const send of window.held.splice(0)) send();
+    });
+    await tab.settled();
+  };
   const shown = (tab, ending) =>
     tab.page.waitForFunction((end) => window.karcherPage.state().mesh.endsWith(end), ending);
 
@@ -86,19 +93,12 @@ describe('while the page waits', () => {
     await tab.settled();
     const { mesh } = await tab.state();
     const choose = (name, option) => page.getByRole('combobox', { name }).selectOption(option);
-    const release = async () => {
-      await hold(tab, '');
-      await page.evaluate(() => {
-        for (const send of window.held.splice(0)) send();
-      });
-      await tab.settled();
-    };
     await hold(tab, 'engine');
     await choose('Part of the file', { index: 1 });
     await held(tab, 1);
     await choose('Part of the file', { index: 0 });
     await page.waitForFunction(() => document.getElementById('progress').hidden);
-    await release();
+    await release(tab);
     assert.equal((await tab.state()).mesh, mesh);
     await hold(tab, 'engine');
     await choose('Part of the file', { index: 2 });
@@ -111,6 +111,128 @@ describe('while the page waits', () => {
     });
     await tab.settled();
     assert.match((await tab.state()).mesh, /\.1~x:gap\.obj$/);
+    await tab.close();
+  });
+
+  const bytesOf = async (tab) => JSON.stringify((await tab.state()).drawing);
+  const dragging = (tab, is) =>
+    tab.page.waitForFunction((want) => window.karcherPage.state().dragging === want, is);
+  const places = [
+    [-110, 40],
+    [-40, -10],
+    [40, 50],
+    [110, -10],
+  ];
+  /** Pulls a place of the window until the engine shows a step, and lets go before the next one. */
+  async function pulled(tab, { x, y }) {
+    const { mouse } = tab.page;
+    await mouse.move(x, y);
+    await mouse.down();
+    // A single motion is a single step.
+    await mouse.move(x + 20, y - 25);
+    await dragging(tab, true);
+    await tab.settled();
+    const seen = await bytesOf(tab);
+    await hold(tab, 'engine');
+    await mouse.move(x + 50, y - 40);
+    await held(tab, 1);
+    await mouse.up();
+    return seen;
+  }
+  const pulls = {
+    'a line': async (tab) => {
+      await tab.click(...places);
+      await tab.page.keyboard.press('v');
+      return () => tab.onCurve(0.5);
+    },
+    'the frame': async (tab) => {
+      await tab.click(...places);
+      await tab.page.locator('#tool-transform').click();
+      return () => tab.handle('Move the selection');
+    },
+    'a segment of the pen': async (tab) => {
+      await tab.page.keyboard.press('p');
+      await tab.click(...places);
+      await tab.page.keyboard.press('Escape');
+      return () => tab.onCurve(0.5);
+    },
+  };
+  for (const [what, begin] of Object.entries(pulls)) {
+    test(`for the last step of ${what} that was let go: what is shown is a step, whatever follows`, async () => {
+      const tab = await Tab.open(browser);
+      const { page } = tab;
+      const place = await begin(tab);
+      await tab.settled();
+      const whole = await bytesOf(tab);
+      const seen = await pulled(tab, await place());
+      assert.notEqual(seen, whole);
+      await page.keyboard.press('Control+z');
+      assert.equal(await bytesOf(tab), whole, 'undo');
+      await page.keyboard.press('Control+y');
+      assert.equal(await bytesOf(tab), seen, 'redo');
+      await release(tab);
+      assert.equal(await bytesOf(tab), seen, 'a late answer changes nothing');
+      await page.keyboard.press('Control+z');
+      await tab.settled();
+      await tab.still();
+      const count = (await tab.state()).drawing.objects.length;
+      const again = await pulled(tab, await place());
+      await page.keyboard.press('Control+d');
+      await release(tab);
+      const { objects } = (await tab.state()).drawing;
+      assert.equal(objects.length, count + 1);
+      assert.deepEqual(objects[0].figure, JSON.parse(again).objects[0].figure, 'a copy');
+      await tab.close();
+    });
+  }
+
+  test('for the last step of a drag: the next drag begins where it is shown', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click(...places);
+    await page.keyboard.press('v');
+    await tab.settled();
+    const whole = await bytesOf(tab);
+    const at = await tab.onCurve(0.5);
+    const seen = await pulled(tab, at);
+    await page.mouse.move(at.x + 20, at.y - 25);
+    await page.mouse.down();
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.up();
+    await release(tab);
+    await page.waitForFunction((text) => {
+      const { dragging, drawing } = window.karcherPage.state();
+      return !dragging && JSON.stringify(drawing) !== text;
+    }, seen);
+    await page.keyboard.press('Control+z');
+    assert.equal(await bytesOf(tab), seen);
+    await page.keyboard.press('Control+z');
+    assert.equal(await bytesOf(tab), whole);
+    await tab.close();
+  });
+
+  test('for the last step of arrow keys that were let go: what is shown is a step', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click(...places);
+    await page.keyboard.press('Control+a');
+    await page.locator('#stage').focus();
+    await tab.settled();
+    const whole = await bytesOf(tab);
+    await page.keyboard.down('ArrowRight');
+    await dragging(tab, true);
+    await tab.settled();
+    const seen = await bytesOf(tab);
+    await hold(tab, 'engine');
+    await page.keyboard.down('ArrowRight');
+    await held(tab, 1);
+    await page.keyboard.up('ArrowRight');
+    await page.keyboard.press('Control+z');
+    assert.equal(await bytesOf(tab), whole, 'undo');
+    await page.keyboard.press('Control+y');
+    assert.equal(await bytesOf(tab), seen, 'redo');
+    await release(tab);
+    assert.equal(await bytesOf(tab), seen);
     await tab.close();
   });
 

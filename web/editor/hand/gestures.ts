@@ -28,6 +28,8 @@ import { twoFingersMeanTheView } from './two_fingers';
 /** The largest distance from a knot, in CSS pixels, at which a click means the knot. */
 const nearKnot = { mouse: 6, touch: 12 };
 
+const modifiers = new Set(['Alt', 'Control', 'Meta', 'Shift']);
+
 /** Receives clicks whose edits need the engine, and other events of gestures. */
 export interface CurveClicks {
   surfaceClicked(point: SurfacePoint): void;
@@ -135,6 +137,11 @@ export class Gestures {
     for (const type of ['pointerdown', 'pointermove'] as const) {
       window.addEventListener(type, keys, { capture: true });
     }
+    // The next action begins with what is shown, even before the last step of a released drag.
+    window.addEventListener('pointerdown', () => editor.settleDrag(), { capture: true });
+    window.addEventListener('keydown', ({ key }) => modifiers.has(key) || editor.settleDrag(), {
+      capture: true,
+    });
     new StageKeys(editor, viewer, stage, moves, {
       clicked: (place) => this.#click({ ...place, touch: false }, { byKey: true }),
       aimed: (place) => this.#aim(place),
@@ -163,13 +170,14 @@ export class Gestures {
     });
   }
 
-  /** Undoes the pointer's gesture. The pointer's release is then no click. */
+  /** Undoes the pointer's gesture, or ends it as it is shown if it was released. The pointer's release is then no click. */
   letGo(): void {
     this.#press = null;
     this.#drags.letGo();
     this.#transforms.letGo();
     this.#pointer.letGo();
     this.#moves.letGo();
+    this.#pen.letGo();
   }
 
   /** Shows the handles of the editor's state. */

@@ -16,6 +16,8 @@ interface HeldLine {
   stopped: boolean;
   /** Whether copies stay at the old place. */
   copies: boolean;
+  /** Whether only the last step is still under way. */
+  released: boolean;
 }
 
 /**
@@ -57,7 +59,10 @@ export class MoveGestures {
     if (id === null || (press.touch && !editor.state.chosen.includes(id))) return null;
     return {
       drag: (place) => {
-        this.#held ??= { move: this.#begin(press), stopped: false, copies: press.alt };
+        this.#held ??= {
+          ...{ move: this.#begin(press), stopped: false },
+          ...{ copies: press.alt, released: false },
+        };
         this.#newest.push(place);
       },
       release: (place, dragged) => {
@@ -68,7 +73,7 @@ export class MoveGestures {
     };
   }
 
-  /** Undoes the move, even if its last step is still under way. */
+  /** Ends the move without further steps: undone, or as it is shown if it was released. */
   letGo(): void {
     const keyed = this.#keyed?.revision === this.editor.state.revision;
     const held = this.#held !== null;
@@ -115,6 +120,7 @@ export class MoveGestures {
    * Ends a move by keys: at the release of the key, or if the stage loses the focus before that.
    */
   endNudge(): void {
+    if (this.#keyed?.revision === this.editor.state.revision) this.editor.releaseDrag();
     this.#nudges = this.#nudges.then(() => {
       if (this.#keyed?.revision === this.editor.state.revision) this.editor.commitDrag();
       this.#keyed = null;
@@ -170,9 +176,10 @@ export class MoveGestures {
     if (this.#held !== held || !held || !move || !point) return;
     const command = await move.to(point).catch(() => leaves);
     if (this.#held !== held) return;
-    if (typeof command !== 'string')
+    if (typeof command !== 'string') {
       this.editor.previewCommand(held.copies ? this.#leaving(command) : command);
-    else if (!held.stopped) {
+      if (held.released) this.editor.releaseDrag();
+    } else if (!held.stopped) {
       held.stopped = true;
       this.events.stopped(command);
     }
@@ -189,6 +196,9 @@ export class MoveGestures {
 
   async #end(last: Place): Promise<void> {
     const held = this.#held;
+    if (!held) return;
+    held.released = true;
+    this.editor.releaseDrag();
     this.#newest.drop();
     await this.#moveTo(last);
     if (this.#held !== held) return;

@@ -41,6 +41,9 @@ export interface HeldKeys {
  * history.
  */
 export class PenGestures {
+  /** Drops the last step of a bend that the user has let go. */
+  #dropLast = () => {};
+
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
@@ -62,6 +65,11 @@ export class PenGestures {
     if (picked) return this.#place(picked.point);
     const isBent = target?.type === 'curve' && bends(this.state(press.alt));
     return isBent ? this.#bend(target.position) : null;
+  }
+
+  /** Ends a released bend as it is shown. */
+  letGo(): void {
+    this.#dropLast();
   }
 
   /** The state on which a click or a drag of the pen depends. */
@@ -113,7 +121,7 @@ export class PenGestures {
     const { editor } = this;
     const near = this.viewer.surface!.fromScene(position);
     const { figure } = editor.state;
-    let held = true;
+    let [held, released] = [true, false];
     let bend: Promise<Bend | null> | null = null;
     const go = async ({ x, y }: Place, corrections: number) => {
       bend ??= this.#bendOf(near);
@@ -123,6 +131,7 @@ export class PenGestures {
       // The curve may have disappeared after the release.
       if (held && segment && command && editor.state.base === figure) {
         editor.preview(command, segment.anchors);
+        if (released) editor.releaseDrag();
       }
     };
     const newest = new Newest<Place>((place) => go(place, whileDragged));
@@ -130,6 +139,11 @@ export class PenGestures {
       drag: (place) => newest.push(place),
       release: async (place, dragged) => {
         if (!dragged) return this.selectNear(position);
+        released = true;
+        editor.releaseDrag();
+        this.#dropLast = () => {
+          held = false;
+        };
         try {
           await newest.end();
           await go(place, atLast);

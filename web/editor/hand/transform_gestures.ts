@@ -80,6 +80,8 @@ interface Hold {
   /** The log vector of `from` at the pivot. */
   log: Promise<Vector3>;
   stopped: boolean;
+  /** Whether only the last steps are still under way. */
+  released: boolean;
 }
 
 /** The frame around the selection while the tool is `transform`, and the drags of its handles. */
@@ -99,6 +101,7 @@ export class TransformGestures {
     frame: TransformFrame;
     move: Move;
     numbers: Steps;
+    released: boolean;
   } | null = null;
   /** The end of the last step by keys or numbers. Each begins after the one before. */
   #lastStep: Promise<void> = Promise.resolve();
@@ -146,8 +149,9 @@ export class TransformGestures {
     return this.#handles.heldBy;
   }
 
-  /** Undoes the drag, even if its last step is still under way. */
+  /** Ends the drag without further steps: undone, or as it is shown if it was released. */
   letGo(): void {
+    if (this.#held?.released || this.#keyed?.released) this.#settle();
     if (this.#keyed) this.editor.cancelDrag();
     this.#keyed = null;
     this.#handles.letGo();
@@ -301,7 +305,7 @@ export class TransformGestures {
       .then(({ vectors }) => new Vector3().fromArray(vectors));
     // If one of these fails, the drag has no effect.
     for (const promise of [move, log]) promise.catch(() => {});
-    this.#held = { id, from, frame, move, log, stopped: false };
+    this.#held = { id, from, frame, move, log, stopped: false, released: false };
   }
 
   async #dragTo({ x, y }: Place): Promise<void> {
@@ -322,6 +326,7 @@ export class TransformGestures {
       return;
     }
     this.editor.previewCommand(placed.command);
+    if (held.released) this.editor.releaseDrag();
     await this.#showFrame(frameAt(held.frame, placed.beside, placement.scale ?? 1));
   }
 
@@ -367,6 +372,8 @@ export class TransformGestures {
       await this.#showFrame(held.frame);
       return;
     }
+    held.released = true;
+    this.editor.releaseDrag();
     await this.#newest.done();
     if (this.#held !== held) return;
     this.#held = null;
@@ -455,7 +462,8 @@ export class TransformGestures {
     if (!this.#keyed) {
       const move = await this.#moveAt(frame.pivot, frame);
       if (!move) return;
-      this.#keyed = { id, frame, move, numbers: { x: 0, y: 0, angle: 0, scale: 1 } };
+      const numbers = { x: 0, y: 0, angle: 0, scale: 1 };
+      this.#keyed = { id, frame, move, numbers, released: false };
     }
     const keyed = this.#keyed;
     const { numbers, move } = keyed;
@@ -471,6 +479,10 @@ export class TransformGestures {
   }
 
   #endKeys(): void {
+    if (this.#keyed) {
+      this.#keyed.released = true;
+      this.editor.releaseDrag();
+    }
     this.#inOrder(async () => {
       if (!this.#keyed) return;
       this.#keyed = null;

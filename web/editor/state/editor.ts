@@ -24,6 +24,7 @@ import { type History, record, recordActivation, stepBack, stepForth } from '../
 import type { MethodId } from '../../model/methods';
 import { excessOf } from '../../model/saved_drawing';
 import { Begun } from './begun';
+import { DragStep } from './drag_step';
 import { Drawings } from './drawings';
 import { ObjectEdits, type PartOfStep } from './object_edits';
 import {
@@ -46,8 +47,7 @@ export class Editor {
   readonly objects = new ObjectEdits(this);
   readonly #listeners: ((state: State, before: State) => void)[] = [];
   readonly #drawings = new Drawings();
-  /** The drawing before the drag under way, and the drag as one command. */
-  #drag: { base: Drawing; command: Command | null; inside?: Command | null } | null = null;
+  #drag: DragStep | null = null;
   #resting: RestingTool = 'insert';
   readonly begun = new Begun(firstState.drawing);
 
@@ -110,17 +110,17 @@ export class Editor {
    */
   preview(edit: FigureCommand, dragged: readonly number[] = noNumbers): void {
     if (!this.#drag && this.refuses()) return;
-    this.#drag ??= { base: this.#state.drawing, command: null, inside: this.#insideKept() };
+    this.#drag ??= new DragStep(this.#state.drawing, this.#insideKept());
     const { base } = this.#drag;
     this.#drag.command = this.#commandOf(edit);
-    const drawing = apply(base, this.#withInside(this.#drag.command));
+    const drawing = apply(base, this.#drag.withInside(this.#drag.command));
     const single = edit.type === 'change' || edit.type === 'insert';
     this.#change({ drawing, dragging: true, dragged: single ? [edit.index] : dragged }, false);
   }
 
   /** Shows the drawing after a command on whole objects, as a drag's next position. */
   previewCommand(command: Command): void {
-    this.#drag ??= { base: this.#state.drawing, command: null };
+    this.#drag ??= new DragStep(this.#state.drawing);
     this.#drag.command = command;
     const drawing = apply(this.#drag.base, command);
     this.#change({ drawing, dragging: true, dragged: noNumbers }, false);
@@ -143,7 +143,7 @@ export class Editor {
     if (!this.#drag) return true;
     const { base } = this.#drag;
     const ended = this.#drag.command && this.#ended(this.#drag.command, base);
-    const made = ended && this.#withInside(ended);
+    const made = ended && this.#drag.withInside(ended);
     const command = made && this.begun.gone(made, base);
     const isAsShown = command === this.#drag.command;
     const drawing = isAsShown ? this.#state.drawing : apply(base, command!);
@@ -164,11 +164,6 @@ export class Editor {
     return to && { type: 'figure', id, edit: { type: 'inside', from: undefined, to } };
   }
 
-  #withInside(command: Command): Command {
-    const { inside } = this.#drag!;
-    return inside ? { type: 'steps', steps: [command, inside] } : command;
-  }
-
   /** The command of an ended drag, with the changes that follow from it. */
   #ended(command: Command, base: Drawing): Command {
     if (command.type !== 'figure' || this.#state.dragged.length === 0) return command;
@@ -179,13 +174,28 @@ export class Editor {
     return { ...command, edit: { type: 'replace', from, to } };
   }
 
+  /** Makes the drag a step as it is shown, even if another action precedes its last step. */
+  releaseDrag(): void {
+    if (this.#drag) this.#drag.released = true;
+  }
+
+  /** Ends a released drag as it is shown: its gesture is let go, and takes no last step. */
+  settleDrag(): void {
+    if (!this.#drag?.released) return;
+    this.#drag.released = false;
+    this.commitDrag();
+    this.onInterrupt();
+  }
+
+  /** Takes the drag under way back; a released one stays. */
   cancelDrag(): void {
+    this.settleDrag();
     const drag = this.#drag;
     this.#drag = null;
     if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: noNumbers }, true);
   }
 
-  /** Cancels the drag under way: the next edit starts from the drawing before it. */
+  /** Ends the drag under way: the next edit starts from the drawing before it, or after a release. */
   interrupt(): void {
     this.onInterrupt();
     this.cancelDrag();
@@ -215,7 +225,7 @@ export class Editor {
 
   /** Undoes the newest step, or the drag under way. */
   undo(): void {
-    const dragged = this.#drag !== null;
+    const dragged = this.#drag !== null && !this.#drag.released;
     this.interrupt();
     if (dragged) return;
     const command = stepBack(this.#history);
