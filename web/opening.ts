@@ -1,4 +1,3 @@
-import { sentenceOfUnknown, sorted, whole } from './dropped';
 import type { Session } from './editor/engine/session';
 import type { Editor } from './editor/state/editor';
 import type { HowOpened } from './editor/state/state';
@@ -37,6 +36,7 @@ import { showProgress } from './panels/progress';
 import { keepUnit, unitOf } from './panels/unit_choice';
 import { chooseFile } from './panels/which_file';
 import { type FoundLink, startingLink, workOn } from './saving';
+import { sentenceOfUnknown, sorted, whole } from './sorted_files';
 import { drawnGeometry, type GeometryRequest } from './viewer/drawn_geometry';
 import { placesOn } from './viewer/places';
 import type { Surface } from './viewer/surface';
@@ -49,7 +49,7 @@ const largestFile = 1 << 30;
 /** The largest number of restarts for one surface, after engines have stopped by themselves. */
 const mostRestarts = 2;
 
-/** The drawing for a new surface: from a link, or by transfer from the previous one. */
+/** The drawing for a new surface; null for the drawing that is kept for this surface. */
 type Wanted = (surface: Surface, before: Surface | null) => Drawing | null;
 
 /**
@@ -107,13 +107,10 @@ export class Opening {
   async files(files: readonly File[]): Promise<void> {
     const { surfaces, drawings, unknown } = sorted(files);
     if (unknown.length > 0) showNote(sentenceOfUnknown(unknown));
+    const known = [...surfaces, ...drawings];
     const one = surfaces.length <= 1 && drawings.length <= 1;
-    if (!one) {
-      const file = await chooseFile([...surfaces, ...drawings]);
-      if (file) await this.file(await whole(file, files));
-      return;
-    }
-    for (const file of [...surfaces, ...drawings]) await this.file(await whole(file, files));
+    const opened = one ? known : [await chooseFile(known)];
+    for (const file of opened) if (file) await this.file(await whole(file, files));
   }
 
   /**
@@ -138,7 +135,7 @@ export class Opening {
         ? await this.#openLink(awaited, fileSource(awaited.mesh, file))
         : await this.#open(key, fileSource(key, file), () => null);
       if (!opened) return;
-      if (awaited) this.#await(key, '');
+      if (awaited) this.#forgetWaiting(key);
       await this.#keep(key, file);
     } catch (error) {
       this.#complain(`${file.name} could not be read. ${sentenceOf(error)}`);
@@ -249,7 +246,7 @@ export class Opening {
       // The user may have opened another surface in the meantime.
       if (client !== this.session.client || shown !== this.editor.state.mesh) return false;
       if (method) this.editor.setMethod(method);
-      this.#replace(wantedOf(link)(this.#viewer!.surface!));
+      this.#drawInstead(wantedOf(link)(this.#viewer!.surface!));
       if (link.view) this.#viewer!.showPlace(link.view, { animated: true });
       return true;
     }
@@ -258,7 +255,7 @@ export class Opening {
     const content = await this.fileOf(mesh);
     if (content) return this.#openLink(link, fileSource(mesh, content));
     const waiting = formatLink(mesh, method ?? this.editor.state.method, link.drawing, link.view);
-    this.#await(mesh, waiting);
+    this.#waitFor(mesh, waiting);
     this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to continue.`);
     return false;
   }
@@ -267,7 +264,7 @@ export class Opening {
   async example({ mesh, draw }: Example): Promise<void> {
     const wanted = (surface: Surface) => draw(placesOn(surface));
     const shown = this.session.client && mesh === this.editor.state.mesh;
-    if (shown) this.#replace(wanted(this.#viewer!.surface!));
+    if (shown) this.#drawInstead(wanted(this.#viewer!.surface!));
     else if (!(await this.#open(mesh, madeSource(mesh)!, wanted))) return;
     this.editor.setTool('select');
   }
@@ -364,11 +361,15 @@ export class Opening {
     return opened;
   }
 
-  /** Keeps a link until the user opens its file. An empty link ends the waiting. */
-  #await(mesh: string, link: string): void {
+  /** Keeps a link until the user opens its file. */
+  #waitFor(mesh: string, link: string): void {
     const name = nameFor('awaited', keyOfFile(mesh));
     this.#awaited.set(name, link);
     remember(name, link);
+  }
+
+  #forgetWaiting(mesh: string): void {
+    this.#waitFor(mesh, '');
   }
 
   async #open(
@@ -431,6 +432,7 @@ export class Opening {
     this.#complaint = showError(sentence);
   }
 
+  /** Opens the kept drawing first, so that undo leads back to it. */
   #showDrawing(key: string, wanted: Drawing | null, triangles: number, how: HowOpened): void {
     const kept = parseLink(recallFor('document', key) ?? '')?.drawing ?? emptyDrawing;
     const starting = this.editor.state.mesh === '' && wanted;
@@ -439,13 +441,13 @@ export class Opening {
       starting && work && sameDrawing(wanted, work.link.drawing) ? work.history : null;
     const drawing = starting || fitting(kept, triangles);
     this.editor.open(key, drawing, { ...how, history });
-    if (wanted) this.#replace(wanted);
+    if (wanted) this.#drawInstead(wanted);
     // The engine may be new, even if the drawing is not.
     this.session.update(this.editor.state);
   }
 
   /** Shows another drawing on the present surface; undo restores the previous drawing. */
-  #replace(to: Drawing): void {
+  #drawInstead(to: Drawing): void {
     const { mesh, method, drawing: from } = this.editor.state;
     if (formatLink(mesh, method, from) === formatLink(mesh, method, to)) return;
     this.editor.draw(to);

@@ -8,7 +8,7 @@ const openable = /\.(obj|ply|stl|off|glb|gltf|json)$/i;
 const drawing = /\.json$/i;
 
 /** Files that the user dropped or chose together. */
-export interface Dropped {
+export interface SortedFiles {
   /** Files of surfaces. */
   surfaces: File[];
   drawings: File[];
@@ -16,7 +16,7 @@ export interface Dropped {
   unknown: File[];
 }
 
-export function sorted(files: readonly File[]): Dropped {
+export function sorted(files: readonly File[]): SortedFiles {
   const known = files.filter(({ name }) => openable.test(name));
   const others = files.filter(({ name }) => !openable.test(name));
   const surfaces = known.filter(({ name }) => !drawing.test(name));
