@@ -257,7 +257,7 @@ describe('commands of a figure', () => {
   before(async () => {
     module = {
       ...(await load('model/figure.ts')),
-      ...(await load('model/figure_commands.ts')),
+      ...(await load('model/commands.ts')),
     };
   });
 
@@ -439,7 +439,8 @@ describe('the newest request', () => {
 
 describe('parts of a curve without a center', () => {
   test('are bridges, and runs of samples that did not converge', async () => {
-    const { lostIntervals, lostSamples } = await load('model/lost.ts');
+    const { lostSamples } = await load('model/lost.ts');
+    const { lostIntervals } = await load('worker/traced.ts');
     const [c, b, i, n] = ['converged', 'bridged', 'indefinite', 'noProgress'];
     const status = [c, b, b, c, i, i, n, c, c];
     const segment = [0, 0, 0, 0, 1, 1, 1, 1, 1];
@@ -464,7 +465,7 @@ describe('parts of a curve without a center', () => {
 
 describe('the shift between two curves', () => {
   test('has a median and a largest value in the unit given', async () => {
-    const { shiftBetween } = await load('editor/engine/shift.ts');
+    const { shiftBetween } = await load('editor/engine/compute.ts');
     const to = Float64Array.of(1, 0, 0, 0, 2, 0, 0, 0, 6, 3, 4, 0);
     assert.deepEqual(shiftBetween(new Float64Array(12), to, 2), { median: 1.75, largest: 3 });
     assert.equal(shiftBetween(new Float64Array(9), to, 1), null);

@@ -2,9 +2,9 @@
  * The legs of a control polygon. Each leads from a point to the next one, along the shortest path
  * unless the point stores another path.
  */
-import type { CurveOptions, DrawnLeg, SurfacePoint } from 'karcher';
+import type { CurveOptions, DrawnLeg, LegPoints, SurfacePoint } from 'karcher';
 import type { Side } from './figure';
-import { type ControlPoint, type Spline, withLeg } from './figure';
+import { type ControlPoint, type Spline, surfacePoint, withLeg } from './figure';
 import { isOpposite, otherSide } from './pen';
 
 type Polygon = Pick<Spline, 'settings' | 'points'>;
@@ -16,7 +16,7 @@ function handleOf({ tangents }: ControlPoint, side: Side) {
 }
 
 /** A text that identifies where the leg from a point to the next one starts and ends. */
-export function endsOf({ settings, points }: Polygon, i: number): string {
+export function endsKey({ settings, points }: Polygon, i: number): string {
   const next = i + 1 < points.length || !settings.closed ? i + 1 : 0;
   const ends = [points[i], points[next]].map(
     (point, end) =>
@@ -32,7 +32,7 @@ export function withFittingLegs<Of extends Polygon>(polygon: Of, before: Polygon
   }
   const fits = ({ leg }: ControlPoint, i: number) => {
     const old = leg ? before.points.findIndex((point) => point.leg === leg) : -1;
-    return old < 0 || endsOf(polygon, i) === endsOf(before, old);
+    return old < 0 || endsKey(polygon, i) === endsKey(before, old);
   };
   if (polygon.points.every(fits)) return polygon;
   const points = polygon.points.map((point, i) => (fits(point, i) ? point : withLeg(point, null)));
@@ -90,3 +90,11 @@ export function legsOf({ settings, points }: Polygon): Pick<CurveOptions, 'legs'
   const legs = points.slice(0, settings.closed ? undefined : -1).map(({ leg }) => leg ?? null);
   return legs.some((leg) => leg !== null) ? { legs } : {};
 }
+
+/** The engine's points of a leg, with weights that a link stores to the last bit. */
+export const waypointsOf = (leg: LegPoints | undefined): SurfacePoint[] | null =>
+  leg?.map((point) => {
+    if ('vertex' in point) throw new Error('the engine gives points of faces');
+    const { face, bary } = point;
+    return surfacePoint(face, bary[1], Math.min(bary[2], 1 - bary[1]));
+  }) ?? null;

@@ -1,5 +1,5 @@
 /** Figures that are splines, in the engine's form and back. */
-import type { CurveOptions, CurveValue, FieldOptions, LegPoints, SurfacePoint } from 'karcher';
+import type { CurveOptions, CurveValue, FieldOptions } from 'karcher';
 import {
   askedLevels,
   type ControlPoint,
@@ -9,11 +9,10 @@ import {
   type Kind,
   parameterOf,
   type Spline,
-  surfacePoint,
   withLeg,
   withParameter,
 } from './figure';
-import { legsOf } from './legs';
+import { legsOf, waypointsOf } from './legs';
 
 /** A figure as a spline; null if it is another figure or has no points. */
 export function splineOf({ kind, settings, points }: Figure): Spline | null {
@@ -58,14 +57,6 @@ export function curveOptions(spline: Spline, options: FieldOptions): CurveOption
     ...(parameter === 'beta' && !plain && { betas: numbers }),
   };
 }
-
-/** The engine's points of a leg, with weights that a link stores to the last bit. */
-export const waypointsOf = (leg: LegPoints | undefined): SurfacePoint[] | null =>
-  leg?.map((point) => {
-    if ('vertex' in point) throw new Error('the engine gives points of faces');
-    const { face, bary } = point;
-    return surfacePoint(face, bary[1], Math.min(bary[2], 1 - bary[1]));
-  }) ?? null;
 
 /** The engine's edited curve as a spline of the drawing; other settings are those of `before`. */
 export function splineFrom(options: CurveValue, before: Spline): Spline {

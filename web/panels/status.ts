@@ -1,6 +1,5 @@
 import type { MeshInfo, Uniqueness } from 'karcher';
-import type { ShownCenter } from '../editor/engine/compute';
-import { type Shift, unseenShift } from '../editor/engine/shift';
+import { type Shift, type ShownCenter, unseenShift } from '../editor/engine/compute';
 import type { View } from '../editor/engine/view';
 import type { Ruled } from '../editor/hand/ruler';
 import type { Editor } from '../editor/state/editor';

@@ -1,8 +1,7 @@
 import type { CurveEdits } from '../editor/engine/curve_edits';
 import { toggleMirror, toggleTransform } from '../editor/hand/mirror_tool';
 import type { Editor } from '../editor/state/editor';
-import { selectedObjects } from '../editor/state/state';
-import { isResting } from '../editor/state/tool';
+import { isResting, selectedObjects } from '../editor/state/state';
 import { isCurve, isEmpty, kinds } from '../model/figure';
 import { placesOf } from '../model/moving';
 import type { Viewer } from '../viewer/viewer';

@@ -20,11 +20,10 @@ import type { BooleanKind, Offset } from '../model/derived';
 import type { FillPattern } from '../model/drawing';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 import { type Enclosing, plain, type Vector } from '../model/figure';
-import { type ToldLegs, withDrawnLegs } from '../model/legs';
+import { type ToldLegs, waypointsOf, withDrawnLegs } from '../model/legs';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
 import type { SurfacePart } from '../model/parts';
-import { waypointsOf } from '../model/splines';
 import type {
   Fill,
   Measured,
@@ -141,7 +140,7 @@ export class EngineClient {
   );
   #loaded: Loaded | null = null;
   /** The face of the last request for corners. */
-  #asked: { face: number; corners: Promise<Corners> } | null = null;
+  #cornersAsked: { face: number; corners: Promise<Corners> } | null = null;
   /** The curves by their objects' ids; null if the first requested value was no valid curve. */
   readonly #curves = new Map<number, Promise<RemoteCurve | null>>();
   /** A listener for a worker that ends by itself, for example because memory runs out. */
@@ -182,7 +181,7 @@ export class EngineClient {
    */
   stop(): void {
     this.keepCurves([]);
-    this.#asked = null;
+    this.#cornersAsked = null;
     this.#worker.giveUp(new Stopped());
   }
 
@@ -212,11 +211,11 @@ export class EngineClient {
 
   /** The places of a face's corners. */
   corners(face: number): Promise<Corners> {
-    if (this.#asked?.face !== face) {
+    if (this.#cornersAsked?.face !== face) {
       const at = (...bary: Vector) => this.mesh.position({ face, bary });
-      this.#asked = { face, corners: Promise.all([at(1, 0, 0), at(0, 1, 0), at(0, 0, 1)]) };
+      this.#cornersAsked = { face, corners: Promise.all([at(1, 0, 0), at(0, 1, 0), at(0, 0, 1)]) };
     }
-    return this.#asked.corners;
+    return this.#cornersAsked.corners;
   }
 
   /** The view of a curve with a value, and the requested results. An object keeps its curve. */
@@ -224,13 +223,13 @@ export class EngineClient {
     value: CurveOptions,
     { object, marks = 0, fill = null, outlines = false }: CurveRequest = {},
   ): Promise<TracedCurve> {
-    const before = object === undefined ? null : await this.#curves.get(object);
-    const curve = before ?? (await this.#first(object, value));
+    const known = object === undefined ? null : await this.#curves.get(object);
+    const curve = known ?? (await this.#first(object, value));
     try {
       // The client sends both calls at once, so that no other call comes between them.
       const [[view, marked], [filled, path]] = await both(
         both(
-          before ? curve.set(value) : curve.view(),
+          known ? curve.set(value) : curve.view(),
           marks > 0 ? curve.equallySpaced(marks) : null,
         ),
         Promise.all([fill ? this.#fill(curve, fill) : null, outlines ? curve.path() : null]),

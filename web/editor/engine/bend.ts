@@ -1,7 +1,7 @@
 /** A drag that bends a segment of the pen: the curve follows the pointer at a fixed parameter. */
 import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
+import type { FigureCommand } from '../../model/commands';
 import { type Figure, plain, type Vector } from '../../model/figure';
-import type { FigureCommand } from '../../model/figure_commands';
 import { type OnSegment, penOptions } from '../../model/pen';
 import type { DrawnTangents } from '../../model/pen_legs';
 import { bendingParts, withBentSegment } from '../../model/pen_shape';

@@ -12,7 +12,6 @@ import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from 
 import { drawCut, type ShownCut } from './cut';
 import { drawDerived, type OutlinesOf } from './derived';
 import { drawnTangents, missingHandle } from './pen_drawing';
-import { type Shift, shiftBetween } from './shift';
 
 /** The engine's result for a figure: a curve, isolines or a center, with a circle's handles. */
 export interface Shown {
@@ -61,7 +60,7 @@ export interface Computation {
    * The points or anchors that a drag moves, and the legs after the drag's last step. The engine
    * continues these legs.
    */
-  before?: DrawnBefore | undefined;
+  drawnBefore?: DrawnBefore | undefined;
   /** Whether to look for other minima besides a center of mass, if the search is quick. */
   uniqueness?: boolean;
   /**
@@ -110,7 +109,7 @@ function computeFigure(
   options: FieldOptions,
   computation: Computation,
 ): Promise<Shown> {
-  const { object, draft = false, before } = computation;
+  const { object, draft = false, drawnBefore } = computation;
   const fill = computation.fill ? enclosingOf(figure) : null;
   const { outlines = false, outlinesOf } = computation;
   if (figure.kind === 'cut') {
@@ -124,7 +123,7 @@ function computeFigure(
   }
   if (isRound(figure.kind)) return computeCircle(client, figure, options, { draft, fill });
   if (figure.kind === 'pen') {
-    return computePen(client, figure, options, { object, fill, outlines, before });
+    return computePen(client, figure, options, { object, fill, outlines, drawnBefore });
   }
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
@@ -133,7 +132,12 @@ function computeFigure(
   const { marks } = spline.settings;
   const value = curveOptions(spline, options);
   return client
-    .curve(before ? withDrawnLegs(value, before) : value, { object, marks, fill, outlines })
+    .curve(drawnBefore ? withDrawnLegs(value, drawnBefore) : value, {
+      object,
+      marks,
+      fill,
+      outlines,
+    })
     .then((curve) => ({ ...nothing, curve }));
 }
 
@@ -157,9 +161,9 @@ async function computePen(
   figure: Figure,
   options: FieldOptions,
   {
-    before,
+    drawnBefore,
     ...request
-  }: Pick<Computation, 'object' | 'outlines' | 'before'> & {
+  }: Pick<Computation, 'object' | 'outlines' | 'drawnBefore'> & {
     fill: AskedFill;
   },
 ): Promise<Shown> {
@@ -171,8 +175,8 @@ async function computePen(
   try {
     const { marks } = figure.settings;
     const value = penOptions(figure, tangents, options);
-    const points = before?.points.flatMap((i) => controlPointsOf(figure, i)) ?? [];
-    const drawn = before ? withDrawnLegs(value, { ...before, points }) : value;
+    const points = drawnBefore?.points.flatMap((i) => controlPointsOf(figure, i)) ?? [];
+    const drawn = drawnBefore ? withDrawnLegs(value, { ...drawnBefore, points }) : value;
     const curve = await client.curve(drawn, { ...request, marks });
     return { ...nothing, tangents, curve };
   } catch (error) {
@@ -240,6 +244,32 @@ async function computeCircle(
 export function qualityShown({ curve, isolines, center }: Shown, method: MethodId): Quality | null {
   if (isolines?.exact) return 'exact';
   return curve || isolines || center ? qualityOf(method) : null;
+}
+
+/**
+ * The median and the largest of the distances by which a curve's samples move, in a unit of length.
+ */
+export interface Shift {
+  median: number;
+  largest: number;
+}
+
+/** The largest median shift, in mean edges, that users do not see as a jump. */
+export const unseenShift = 0.2;
+
+/**
+ * The distances between the samples of two curves at the same parameters, in a unit of length. The
+ * arrays have x, y, z of each sample. Null if the numbers of samples differ or are 0.
+ */
+export function shiftBetween(from: Float64Array, to: Float64Array, unit: number): Shift | null {
+  if (from.length !== to.length || from.length === 0) return null;
+  const distances = new Float64Array(from.length / 3).map((_, i) =>
+    Math.hypot(...[0, 1, 2].map((axis) => to[3 * i + axis]! - from[3 * i + axis]!)),
+  );
+  distances.sort();
+  const middle = (distances.length - 1) / 2;
+  const median = (distances[Math.floor(middle)]! + distances[Math.ceil(middle)]!) / 2;
+  return { median: median / unit, largest: distances.at(-1)! / unit };
 }
 
 /** The shift from the draft to the exact form, as multiples of `unit`; null if there is none. */

@@ -1,6 +1,6 @@
 import type { SurfacePoint } from 'karcher';
 import { inherited } from '../../model/combining';
-import type { Command } from '../../model/commands';
+import { applyToFigure, type Command, type FigureCommand } from '../../model/commands';
 import { isDerived } from '../../model/derived';
 import { activeObject, freeId, indexOf, objectOf, othersOf } from '../../model/drawing';
 import {
@@ -15,14 +15,12 @@ import {
   withInside,
   withLeg,
 } from '../../model/figure';
-import { applyToFigure, type FigureCommand } from '../../model/figure_commands';
 import { withFittingLegs } from '../../model/legs';
 import { withAnchorAt } from '../../model/pen';
 import { splineOf, withSpline } from '../../model/splines';
 import type { Edit } from '../../worker/edits';
 import type { Editor } from '../state/editor';
-import type { Selection, State } from '../state/state';
-import type { CurveTool } from '../state/tool';
+import type { CurveTool, Selection, State } from '../state/state';
 import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
 

@@ -56,7 +56,7 @@ export class Drag {
  * Chooses the options for traces of a figure during its drag, so that the steps are quick and the
  * curve does not leap.
  */
-export class HeldTracing {
+export class DragTracing {
   /** Whether the tolerance gave the curve more samples than the fixed number in its settings. */
   #manySamples = false;
   /**

@@ -30,13 +30,13 @@ import {
   shiftOf,
   withUniqueness,
 } from './compute';
-import { Drag, HeldTracing } from './drag';
-import { type Ends, endsOf, Legs } from './legs';
+import { Drag, DragTracing } from './drag';
 import { linesOf, type ObjectLines } from './lines';
 import { Newest } from './newest';
 import { type Patterned, Patterns } from './patterns';
 import { Refinement } from './refinement';
 import { shorterLegs } from './shorter_legs';
+import { type Ends, geodesicEnds, ShortestLegs } from './shortest_legs';
 import { emptyView, type View } from './view';
 
 /**
@@ -67,7 +67,7 @@ export class Session {
   #view: View = emptyView;
   /** The newest state that the engine received. */
   #asked: State | null = null;
-  readonly #held = new HeldTracing();
+  readonly #dragTracing = new DragTracing();
   #drag: Drag | null = null;
   /** The drawn legs of figures' curves. */
   #drawn = new WeakMap<Figure, readonly DrawnLeg[]>();
@@ -75,7 +75,7 @@ export class Session {
   #compared: Figure | null = null;
   /** Whether the view has other samples or levels than the figure, because of a drag. */
   #coarse = false;
-  readonly #legs = new Legs();
+  readonly #legs = new ShortestLegs();
   /** Newly traced legs wait until `#legsRest`; `#legsUnseen` says whether some are waiting. */
   #legsRest = 0;
   #legsUnseen = false;
@@ -158,7 +158,7 @@ export class Session {
     const resolved = resolvedFigure(given.drawing, activeObject(given.drawing));
     const state = resolved === given.figure ? given : { ...given, figure: resolved };
     if (state.drawing.active !== this.#state?.drawing.active) {
-      this.#held.forget();
+      this.#dragTracing.forget();
     }
     const drag = this.#state?.dragging ? this.#drag : null;
     this.#state = state;
@@ -265,18 +265,18 @@ export class Session {
       const known = state.dragging ? null : this.#others.known(state.figure, method, fill);
       if (known) {
         this.#coarse = false;
-        this.#held.rested(state.figure, known.shown);
+        this.#dragTracing.rested(state.figure, known.shown);
         this.#showTraced(state, known.shown, known.quality);
         return;
       }
-      const { figure, coarse } = this.#held.traced(state);
+      const { figure, coarse } = this.#dragTracing.traced(state);
       let stopped = false;
       this.#coarse = coarse;
       const computed = async () => {
         const answer = await compute(client, figure, methodOptions(method), {
           object: state.drawing.active,
           draft: refinedOptions(method) !== null,
-          before: drag ? await this.#before(client, state, drag) : undefined,
+          drawnBefore: drag ? await this.#drawnBefore(client, state, drag) : undefined,
           uniqueness: true,
           fill,
           outlines: isSource(state.drawing, active.id),
@@ -297,13 +297,14 @@ export class Session {
       });
       if (!this.#current(client, state)) return;
       const quality = qualityShown(shown, method);
-      if (!coarse) this.#held.rested(figure, shown);
+      if (!coarse) this.#dragTracing.rested(figure, shown);
       if (!coarse && !state.dragging && !stopped) {
         this.#others.keep(figure, { method, shown, quality }, state.drawing);
       }
-      this.#held.stepped(state.dragging, figure, shown);
+      this.#dragTracing.stepped(state.dragging, figure, shown);
       this.#showTraced(state, shown, quality);
       if (drag && shown.curve) {
+        // A release cannot wait for the engine, so each step asks.
         const told = await client.toldLegs(state.drawing.active);
         drag.told = figure.kind === 'pen' ? legsOfAnchors(told) : told;
       }
@@ -331,11 +332,11 @@ export class Session {
    * The legs that a drag continues: the legs of its last step or, before the first step, those of
    * its base figure.
    */
-  async #before(client: EngineClient, state: State, drag: Drag): Promise<DrawnBefore> {
+  async #drawnBefore(client: EngineClient, state: State, drag: Drag): Promise<DrawnBefore> {
     const { base, points } = drag;
     drag.legs ??= this.#drawn.get(base) ?? null;
     if (!drag.legs) {
-      const { figure } = this.#held.traced({ ...state, figure: base, dragging: true });
+      const { figure } = this.#dragTracing.traced({ ...state, figure: base, dragging: true });
       const value = await curveValueOf(client, figure, methodOptions(state.method));
       const object = state.drawing.active;
       const curve = value && (await client.curve(value, { object }).catch(unlessStopped));
@@ -399,7 +400,7 @@ export class Session {
   /** The pairs of points that the legs of the newest figure join. */
   #ends(): Ends[] {
     if (this.#view.curve && this.#view.curve.legs.length > 0) return [];
-    return this.#state ? endsOf(this.#state.figure, this.#view.center?.point ?? null) : [];
+    return this.#state ? geodesicEnds(this.#state.figure, this.#view.center?.point ?? null) : [];
   }
 
   /** The visible geodesics beside the newest figure. */
@@ -416,7 +417,7 @@ export class Session {
       const legs = paths.filter((leg) => leg !== undefined);
       return { legs, others, polygonOnly: false };
     }
-    const ends = endsOf(state.figure, shown.center?.point ?? null);
+    const ends = geodesicEnds(state.figure, shown.center?.point ?? null);
     if (kind === 'pen') return { legs: [], others, polygonOnly: false };
     const own = shown.curve?.legs ?? [];
     return {

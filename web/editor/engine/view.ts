@@ -1,8 +1,7 @@
 import type { Quality } from '../../model/methods';
 import type { ShorterLeg } from '../../model/traced';
 import type { Beside } from './beside';
-import { nothing, type Shown } from './compute';
-import type { Shift } from './shift';
+import { nothing, type Shift, type Shown } from './compute';
 
 /** The engine's results for a state of the editor. */
 export interface View extends Shown {

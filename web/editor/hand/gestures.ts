@@ -9,7 +9,7 @@ import type { Pick } from '../../viewer/surface';
 import type { Viewer } from '../../viewer/viewer';
 import type { Session } from '../engine/session';
 import type { Editor } from '../state/editor';
-import type { CurveTool } from '../state/tool';
+import type { CurveTool } from '../state/state';
 import { BoxSelection } from './box_selection';
 import { FreehandGestures } from './freehand';
 import { HandleDrags } from './handle_drags';
@@ -83,6 +83,8 @@ export class Gestures {
   /** Whether the last mark showed the pointer's place on the surface. */
   #rules = false;
   #frame = 0;
+  /** Whether the last frame showed what the pointer aims at. */
+  #aims = false;
 
   constructor(
     private readonly editor: Editor,
@@ -98,7 +100,7 @@ export class Gestures {
     const drags = new HandleDrags(editor, session, viewer, layer, {
       ...{ pen, snapping: this.snapping },
       keys: () => this.#keys,
-      schedule: () => this.#schedule(),
+      schedule: () => this.#inFrame(),
       close: () => events.closed(),
     });
     const { handles } = drags;
@@ -158,7 +160,7 @@ export class Gestures {
       window.addEventListener(type, ({ key, altKey }) => {
         if (key !== 'Alt') return;
         this.#keys.alt = altKey;
-        this.#schedule();
+        this.#inFrame();
       });
     }
     stage.addEventListener('dblclick', (event) => this.#doubleClick(event));
@@ -201,7 +203,7 @@ export class Gestures {
         : [],
     );
     // The view may have moved, so that something else lies under the pointer.
-    if (this.#hover) this.#schedule();
+    if (this.#hover) this.#inFrame();
   }
 
   /** Joins the selected anchor to its handles by lines. */
@@ -292,41 +294,46 @@ export class Gestures {
 
   #aim(place: { x: number; y: number } | null): void {
     this.#hover = place;
-    this.#schedule();
+    this.#inFrame();
   }
 
-  /** Requests a ray for the pointer's newest place, at most once a frame. */
-  #schedule(): void {
+  /** Aims at the pointer's newest place and moves the dragged handle, before the next frame. */
+  #inFrame(): void {
     this.#frame ||= requestAnimationFrame(() => {
       this.#frame = 0;
-      const target = this.#hover && this.#target({ ...this.#hover, touch: false });
-      this.#showAction(target);
-      this.stage.classList.toggle('aiming', target?.type === 'surface');
-      this.stage.classList.toggle(
-        'choosing',
-        target?.type === 'other' || target?.type === 'shorter',
-      );
-      this.#showHovered(target);
-      const snapped = this.#hover && this.#snapAt({ ...this.#hover, touch: false }, target);
-      const added = snapped ?? (target?.type === 'surface' ? target.pick : null);
-      this.#band.aim(added?.point ?? null);
-      if (snapped?.kind) {
-        this.#handles.showPreview(snapped.position, 'snap', snapped.kind);
-        if (this.editor.state.tool === 'measure') this.events.rulerAimed(snapped.point);
-      } else if (target?.type === 'surface') {
-        this.#handles.showPreview(target.pick.position, 'surface');
-        this.#rules = true;
-        if (this.editor.state.tool === 'mirror') this.events.mirrorAimed(target.pick.point);
-        if (this.editor.state.tool === 'measure') this.events.rulerAimed(target.pick.point);
-      } else if (this.editor.state.tool === 'measure') {
-        if (target?.type === 'curve') this.events.curveMeasured(target.position);
-        // The mark of the measured place stays; the ruler's mark disappears.
-        else if (this.#rules) this.#handles.showPreview(null, 'surface');
-      } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
-      else this.#handles.showPreview(null, 'surface');
-      if (target?.type !== 'surface') this.#rules = false;
+      // The pen also acts on handles.
+      const aims = this.#hover !== null || this.editor.state.figure.kind === 'pen';
+      if (aims || this.#aims) this.#showAim();
+      this.#aims = aims;
       this.#drags.dragNow();
     });
+  }
+
+  /** Shows what the pointer aims at, and where a click would add a point. */
+  #showAim(): void {
+    const target = this.#hover && this.#target({ ...this.#hover, touch: false });
+    this.#showAction(target);
+    this.stage.classList.toggle('aiming', target?.type === 'surface');
+    this.stage.classList.toggle('choosing', target?.type === 'other' || target?.type === 'shorter');
+    this.#showHovered(target);
+    const snapped = this.#hover && this.#snapAt({ ...this.#hover, touch: false }, target);
+    const added = snapped ?? (target?.type === 'surface' ? target.pick : null);
+    this.#band.aim(added?.point ?? null);
+    if (snapped?.kind) {
+      this.#handles.showPreview(snapped.position, 'snap', snapped.kind);
+      if (this.editor.state.tool === 'measure') this.events.rulerAimed(snapped.point);
+    } else if (target?.type === 'surface') {
+      this.#handles.showPreview(target.pick.position, 'surface');
+      this.#rules = true;
+      if (this.editor.state.tool === 'mirror') this.events.mirrorAimed(target.pick.point);
+      if (this.editor.state.tool === 'measure') this.events.rulerAimed(target.pick.point);
+    } else if (this.editor.state.tool === 'measure') {
+      if (target?.type === 'curve') this.events.curveMeasured(target.position);
+      // The mark of the measured place stays; the ruler's mark disappears.
+      else if (this.#rules) this.#handles.showPreview(null, 'surface');
+    } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
+    else this.#handles.showPreview(null, 'surface');
+    if (target?.type !== 'surface') this.#rules = false;
   }
 
   /** Whether a drag of a line leaves a copy. */

@@ -10,7 +10,6 @@ import type { Editor } from '../state/editor';
 import type { Selection } from '../state/state';
 import { selectionOf, tangentOf, underHandle } from './handle_list';
 import type { HeldKeys, PenGestures } from './pen_gestures';
-import { selectFocused, selectPressed, takenAlong } from './several_points';
 import type { Snapped, Snapping } from './snapping';
 import { arrows } from './stage_keys';
 import { clickSlop } from './stage_pointer';
@@ -50,7 +49,7 @@ export class HandleDrags {
   /** Whether keys move a handle. */
   #nudges = false;
   /** The pointer's newest place, which the handle has not reached yet. */
-  #drag: { id: string; x: number; y: number } | null = null;
+  #pointerAt: { id: string; x: number; y: number } | null = null;
 
   constructor(
     private readonly editor: Editor,
@@ -62,7 +61,7 @@ export class HandleDrags {
     this.handles = new Handles(viewer, layer, {
       grab: (id, x, y) => this.#grab(id, { x, y }, hand.keys()),
       drag: (id, x, y) => {
-        this.#drag = { id, x, y };
+        this.#pointerAt = { id, x, y };
         hand.schedule();
       },
       release: (_, cancelled) => this.#release(cancelled),
@@ -88,9 +87,9 @@ export class HandleDrags {
 
   /** Moves the handle to the pointer's newest place. */
   dragNow(): void {
-    const drag = this.#drag;
+    const drag = this.#pointerAt;
     const grabbed = this.#grabbed;
-    this.#drag = null;
+    this.#pointerAt = null;
     if (!drag || !grabbed) return;
     const moved = Math.hypot(drag.x - grabbed.x, drag.y - grabbed.y);
     if (!this.editor.state.dragging && moved <= clickSlop.mouse / 2) return;
@@ -228,4 +227,50 @@ export class HandleDrags {
     this.#nudges = true;
     this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], grabbed, noKeys);
   }
+}
+
+/**
+ * Selects the point whose handle is under a press. With Shift, or if several points including this
+ * one are selected, the other selected points stay selected, so that a drag moves them as well.
+ * Returns the points to select if the press becomes a click; null if the press has already
+ * selected.
+ */
+function selectPressed(editor: Editor, id: string, shift: boolean): number[] | null {
+  const selection = selectionOf(id);
+  const { selection: last, more } = editor.state;
+  const before = typeof last === 'number' ? [...more, last] : [];
+  const isPoint = typeof selection === 'number' && !tangentOf(id) && editor.isOpen;
+  const isIn = isPoint && before.includes(selection);
+  if (!isPoint || !(shift || (isIn && more.length > 0))) {
+    editor.select(selection);
+    return null;
+  }
+  const others = before.filter((index) => index !== selection);
+  editor.selectPoints([...others, selection]);
+  if (!shift) return [selection];
+  return isIn ? others : [...others, selection];
+}
+
+/** Selects the point whose handle has the focus; other points selected with it stay selected. */
+function selectFocused(editor: Editor, id: string): void {
+  const { selection, more } = editor.state;
+  const focused = selectionOf(id);
+  const isIn = typeof focused === 'number' && [...more, selection].includes(focused);
+  if (!isIn || more.length === 0 || tangentOf(id)) editor.select(focused);
+  else selectPressed(editor, id, false);
+}
+
+/**
+ * The points after a move of the one at `index`. `moved` returns each of the other selected points
+ * at its new place, or null if it stays.
+ */
+function takenAlong(
+  points: readonly ControlPoint[],
+  { index, to, more }: { index: number; to: ControlPoint; more: readonly number[] },
+  moved: (other: number, before: ControlPoint) => ControlPoint | null | undefined,
+): ControlPoint[] {
+  return points.map((point, i) => {
+    if (i === index) return to;
+    return (more.includes(i) && moved(i, point)) || point;
+  });
 }

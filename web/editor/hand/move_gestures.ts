@@ -6,7 +6,7 @@ import { copiedObjects, leaves, Move, movableObjects } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 import type { Editor } from '../state/editor';
-import { isResting } from '../state/tool';
+import { isResting } from '../state/state';
 import type { Hold, Place } from './stage_pointer';
 import { reach, targetAt } from './targets';
 

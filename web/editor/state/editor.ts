@@ -1,5 +1,11 @@
 import { activation, beginning, deletion, ofKind, withGroups } from '../../model/arranging';
-import { apply, type Command } from '../../model/commands';
+import {
+  apply,
+  applyToFigure,
+  type Command,
+  type FigureCommand,
+  fitted,
+} from '../../model/commands';
 import {
   activeObject,
   type Drawing,
@@ -19,7 +25,6 @@ import {
   isUnfinished,
   type Kind,
 } from '../../model/figure';
-import { applyToFigure, type FigureCommand, fitted } from '../../model/figure_commands';
 import { type History, record, recordActivation, stepBack, stepForth } from '../../model/history';
 import type { MethodId } from '../../model/methods';
 import { excessOf } from '../../model/saved_drawing';
@@ -28,17 +33,19 @@ import { DragStep } from './drag_step';
 import { Drawings } from './drawings';
 import { ObjectEdits, type PartOfStep } from './object_edits';
 import {
+  type CurveTool,
   changedState,
   firstState,
   type HowOpened,
+  isResting,
   noNumbers,
+  type RestingTool,
   type Selection,
   type State,
   type StateChange,
   selectedObjects,
   selectionAfter,
 } from './state';
-import { type CurveTool, isResting, type RestingTool } from './tool';
 
 /** The page's single state, and the only way to change it. */
 export class Editor {
@@ -442,6 +449,7 @@ export class Editor {
   #commandOf(edit: FigureCommand, of?: number): Command {
     const base = this.baseDrawing;
     const { id, figure: from } = (of !== undefined && objectOf(base, of)) || activeObject(base);
+    // The applied edit only shows whether legs and knots still fit.
     const wanted = applyToFigure(from, edit);
     const to = fitted(wanted, from, edit);
     return { type: 'figure', id, edit: to === wanted ? edit : { type: 'replace', from, to } };

@@ -14,8 +14,7 @@ import { isDerived } from '../../model/derived';
 import { type DrawnObject, lookOf, objectOf } from '../../model/drawing';
 import { type Figure, type FillRule, type Inside, isEmpty, opposite } from '../../model/figure';
 import type { Begun } from './begun';
-import { type Selection, type State, selectedObjects } from './state';
-import type { CurveTool } from './tool';
+import { type CurveTool, type Selection, type State, selectedObjects } from './state';
 
 /** The parts of the editor that edits of whole objects need. */
 interface Editing {

@@ -5,7 +5,7 @@ import type { EngineClient } from '../../worker/client';
 export type Ends = readonly [SurfacePoint, SurfacePoint];
 
 /** The ends of geodesics beside a curve: neighbouring points, or a center and its points. */
-export function endsOf(figure: Figure, center: SurfacePoint | null): Ends[] {
+export function geodesicEnds(figure: Figure, center: SurfacePoint | null): Ends[] {
   const { kind, points, settings } = figure;
   if (isRound(kind) || kind === 'points' || kind === 'pen') return [];
   if (kind === 'center') return center ? points.map((point) => [center, point]) : [];
@@ -20,7 +20,7 @@ const keyOf = (ends: Ends) =>
 const fewestKept = 64;
 
 /** Shortest paths by their ends. Each path is traced once. */
-export class Legs {
+export class ShortestLegs {
   /** The known paths; null if the ends are not connected. */
   readonly #known = new Map<string, Float32Array | null>();
   /**
