@@ -283,6 +283,7 @@ export async function start(): Promise<void> {
   ruler.onChange = (ruled, begun) => status.showRuled(ruled, begun, editor.state, session.view);
   const objectPanel = new ObjectPanel(
     editor,
+    () => void edits.afterwards(() => editor.begin()),
     ({ figure }) => {
       const { surface } = viewer;
       const [place] = placesOf(figure);

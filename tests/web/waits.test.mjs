@@ -236,6 +236,56 @@ describe('while the page waits', () => {
     await tab.close();
   });
 
+  test('for knots: clicks and Enter act in the order of the user, and a click stays with its curve', async () => {
+    const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
+    const other = `other=${encodeURIComponent(`kind=points&points=${at([3])}&name=Other`)}`;
+    const knots = 'degree=3&clamped=0&knots=0,1,2,3.5,4.5,5.5,6.5,8';
+    const tab = await Tab.open(
+      browser,
+      `mesh=sphere:1500&kind=bspline&${knots}&points=${at([20, 40, 60, 90])}&${other}`,
+    );
+    const { page } = tab;
+    const counts = async () =>
+      (await tab.state()).drawing.objects.map(({ figure }) => figure.points.length);
+    const counted = (all) =>
+      page.waitForFunction((wanted) => {
+        const { objects } = window.karcherPage.state().drawing;
+        return `${objects.map(({ figure }) => figure.points.length)}` === wanted;
+      }, `${all}`);
+    const { x, y } = await tab.middle();
+    const begun = await counts();
+    assert.deepEqual(begun.toSorted(), [1, 4]);
+    const own = begun.indexOf(4);
+    await hold(tab, 'engine');
+    await page.mouse.click(x + 10, y + 20);
+    await held(tab, 1);
+    await page.keyboard.press('Enter');
+    await page.mouse.click(x - 30, y);
+    await page.mouse.click(x - 60, y + 30);
+    await release(tab);
+    await counted([...begun.with(own, 5), 2]);
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal((await counts())[own], 5, 'Enter follows the click');
+    await page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.deepEqual(await counts(), begun);
+
+    await hold(tab, 'engine');
+    await page.mouse.click(x + 10, y + 20);
+    await held(tab, 1);
+    await page.locator('#objects .object', { hasText: 'Other' }).click();
+    await release(tab);
+    await counted(begun.with(own, 5));
+    const { drawing } = await tab.state();
+    assert.equal(drawing.objects.find(({ id }) => id === drawing.active).name, 'Other');
+    const { knots: found } = drawing.objects[own].figure.settings;
+    assert.equal(found?.length, 9, 'with knots of its own');
+    await tab.close();
+  });
+
   test('for a surface: an engine that stops meanwhile is only restarted if the surface does not open', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;

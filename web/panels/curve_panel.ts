@@ -46,7 +46,8 @@ export class CurvePanel {
     this.#circle = new CircleSettings(editor);
     this.#fine = new FineSettings(editor, edits);
     const kinds = kindGroups.flatMap((group) => (group.kinds.length > 1 ? group.kinds : []));
-    this.#kinds = choices('kind', kinds, kindNames, (kind) => editor.setKind(kind), kindNotes);
+    const setKind = (kind: Kind) => edits.afterwards(() => editor.setKind(kind));
+    this.#kinds = choices('kind', kinds, kindNames, setKind, kindNotes);
     for (const { id, label } of methods) this.#method.append(make('option', label, { value: id }));
     this.#method.addEventListener('change', () => {
       events.chooseMethod(this.#method.value as MethodId);

@@ -115,12 +115,14 @@ export class ObjectPanel {
 
   constructor(
     private readonly editor: Editor,
+    /** Begins another object. */
+    begin: () => void,
     /** The length of a pixel at an object, in the surface's unit. */
     reachOf: (object: DrawnObject) => number,
     /** The centroid of an object's fill; null if it has none. */
     centroidOf: (id: number) => Promise<SurfacePoint | null>,
   ) {
-    byId('new-object').addEventListener('click', () => editor.begin());
+    byId('new-object').addEventListener('click', () => begin());
     this.#rows = new ObjectRows(editor, () => this.#name.select());
     onTheme(() => {
       this.#themeColor = hexOf(sceneColors().curve);

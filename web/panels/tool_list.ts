@@ -34,17 +34,18 @@ export function drawingTools(editor: Editor, edits: CurveEdits): DrawingTool[] {
    */
   const draws = (kinds: readonly Kind[], group = kinds) => ({
     isActive: ({ tool, figure }: State) => tool === 'insert' && kinds.includes(figure.kind),
-    choose() {
-      const { tool, figure } = editor.state;
-      if (tool !== 'select' && kinds.includes(figure.kind)) {
-        editor.setTool('insert');
-        return;
-      }
-      const recent = latest.get(group);
-      const kind = recent && kinds.includes(recent) ? recent : kinds[0]!;
-      if (isEmpty(figure)) editor.setKind(kind);
-      else editor.begin(kind);
-    },
+    choose: () =>
+      void edits.afterwards(() => {
+        const { tool, figure } = editor.state;
+        if (tool !== 'select' && kinds.includes(figure.kind)) {
+          editor.setTool('insert');
+          return;
+        }
+        const recent = latest.get(group);
+        const kind = recent && kinds.includes(recent) ? recent : kinds[0]!;
+        if (isEmpty(figure)) editor.setKind(kind);
+        else editor.begin(kind);
+      }),
   });
   const [pen, curves, round, points] = kindGroups.map(({ kinds }) => kinds);
   return [

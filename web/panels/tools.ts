@@ -2,7 +2,7 @@ import type { CurveEdits } from '../editor/engine/curve_edits';
 import { toggleMirror, toggleTransform } from '../editor/hand/mirror_tool';
 import type { Editor } from '../editor/state/editor';
 import { isResting, selectedObjects } from '../editor/state/state';
-import { isCurve, isEmpty, kinds } from '../model/figure';
+import { isCurve, isEmpty, type Kind, kinds } from '../model/figure';
 import { placesOf } from '../model/moving';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
@@ -92,6 +92,10 @@ export class Tools {
     if (isCurve(kind) && !none) this.edits.setClosed(!settings.closed);
   }
 
+  #setKind(kind: Kind): void {
+    this.edits.afterwards(() => this.editor.setKind(kind));
+  }
+
   async #share(): Promise<void> {
     const { address, complete, short } = this.events.link();
     if (!short) {
@@ -146,7 +150,7 @@ export class Tools {
     // If a button or a row has the focus, Enter presses it.
     if (key === 'enter' && !element?.closest('button, a, summary, input')) {
       event.preventDefault();
-      this.editor.begin();
+      this.edits.afterwards(() => this.editor.begin());
       return;
     }
     // The position of the key counts, since with Shift a digit's key types another character.
@@ -157,7 +161,7 @@ export class Tools {
       return;
     }
     const kind = /^\d$/.test(key) ? kinds[(Number(key) + 9) % 10] : undefined;
-    const action = kind ? () => this.editor.setKind(kind) : this.#actions[key];
+    const action = kind ? () => this.#setKind(kind) : this.#actions[key];
     if (action) action();
     else if (!this.rail.key(key)) return;
     event.preventDefault();
@@ -167,7 +171,7 @@ export class Tools {
     delete: () => this.events.removeSelected(),
     backspace: () => this.events.removeSelected(),
     escape: () => this.#escape(),
-    n: () => this.editor.begin(),
+    n: () => this.edits.afterwards(() => this.editor.begin()),
     r: () => this.viewer.resetView({ animated: true }),
     home: () => this.viewer.resetView({ animated: true }),
     g: () => this.events.toggleSnapping(),

@@ -57,6 +57,8 @@ function editOf(command: FigureCommand): Edit | null {
 export class CurveEdits {
   /** The end of the last edit under way, or null. */
   #last: Promise<void> | null = null;
+  /** The number of waiting actions that may lead to another edited object. */
+  #turns = 0;
 
   constructor(
     private readonly editor: Editor,
@@ -68,7 +70,8 @@ export class CurveEdits {
    */
   append(point: SurfacePoint): Promise<void> {
     const { editor } = this;
-    const begins = !editor.isOpen || isDerived(editor.state.figure.kind);
+    const isClosed = !editor.isOpen || isDerived(editor.state.figure.kind);
+    const begins = isClosed && this.#turns === 0;
     if (begins && !editor.begin()) return Promise.resolve();
     return this.#edit(({ points }) => ({
       command: { type: 'insert', index: points.length, point },
@@ -178,11 +181,20 @@ export class CurveEdits {
   }
 
   undo(): Promise<void> {
-    return this.#inOrder(async () => this.editor.undo());
+    return this.afterwards(() => this.editor.undo());
   }
 
   redo(): Promise<void> {
-    return this.#inOrder(async () => this.editor.redo());
+    return this.afterwards(() => this.editor.redo());
+  }
+
+  /** Carries out a change after the edits under way. Another object may be the edited one then. */
+  afterwards(change: () => void): Promise<void> {
+    this.#turns++;
+    return this.#inOrder(async () => {
+      this.#turns--;
+      change();
+    });
   }
 
   /**
@@ -309,26 +321,31 @@ export class CurveEdits {
 
   /**
    * Carries out a step, at once if it needs no engine. If a B-spline's own knots no longer fit, the
-   * engine finds new ones; if it finds none, the curve loses its own knots.
+   * engine finds new ones; if it finds none, the curve loses its own knots. The step changes the
+   * object that is edited now, or after the actions before it.
    */
   #edit(stepOn: (figure: Figure) => Step | null): Promise<void> {
+    const { mesh, drawing } = this.editor.state;
+    const edited = this.#turns > 0 ? null : drawing.active;
     return this.#inOrder(async () => {
-      const { mesh } = this.editor.state;
+      const id = edited ?? this.editor.state.drawing.active;
+      const now = () => objectOf(this.editor.state.drawing, id)?.figure;
       for (let attempt = 0; ; attempt++) {
-        const { figure, revision } = this.editor.state;
-        const step = stepOn(figure);
+        const figure = now();
+        const step = figure && stepOn(figure);
         if (!step || this.editor.state.mesh !== mesh) return;
         const to = withFittingLegs(applyToFigure(figure, step.command), figure);
         const [before, after] = [splineOf(figure), splineOf(to)];
         const asks = before?.kind === 'bspline' && after && !knotsFit(to);
         const edit = asks && editOf(step.command);
         const knots = edit ? await this.session.knotsAfter(before, edit) : null;
-        // If the state has changed meanwhile, the step starts again from the new state.
-        const late = this.editor.state.revision !== revision;
+        // If the curve has changed meanwhile, the step starts again from the new one.
+        const late = now() !== figure;
         if (late && attempt < mostAttempts) continue;
-        if (knots && !late)
-          this.editor.replace({ ...to, settings: { ...to.settings, knots } }, step.selection);
-        else this.editor.run(step.command, step.selection);
+        const withKnots = { ...to, settings: { ...to.settings, knots } };
+        const command: FigureCommand =
+          knots && !late ? { type: 'replace', from: figure, to: withKnots } : step.command;
+        if (now()) this.editor.run(command, step.selection, id);
         return;
       }
     });

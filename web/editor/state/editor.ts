@@ -102,13 +102,14 @@ export class Editor {
   }
 
   /**
-   * Changes the edited object. A B-spline loses its own knots if they no longer fit; `CurveEdits`
-   * finds new ones instead.
+   * Changes the edited object, or another one by its id. A B-spline loses its own knots if they no
+   * longer fit; `CurveEdits` finds new ones instead.
    */
-  run(edit: FigureCommand, selection: Selection = this.#state.selection): void {
+  run(edit: FigureCommand, selection: Selection = this.#state.selection, of?: number): void {
     this.cancelDrag();
-    if (this.refuses()) return;
-    this.perform(this.#commandOf(edit), { selection });
+    const { id } = this.active;
+    if (this.refuses(objectOf(this.#state.drawing, of ?? id))) return;
+    this.perform(this.#commandOf(edit, of), (of ?? id) === id ? { selection } : {});
   }
 
   /**
@@ -461,9 +462,8 @@ export class Editor {
     return visible && !locked && !this.#state.none;
   }
 
-  /** Whether the active object is locked; if so, reports it. */
-  refuses(): boolean {
-    const { locked } = this.active;
+  /** Whether an object, by default the active one, is locked; if so, reports it. */
+  refuses({ locked } = this.active): boolean {
     if (locked)
       this.onRefusal('This object is locked. Unlock it in the list of objects to edit it.');
     return locked;
