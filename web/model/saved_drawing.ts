@@ -182,7 +182,7 @@ function readFigure(value: unknown, what: string): Figure {
 }
 
 function readDerived(value: unknown, kind: Kind, of: string): Derived {
-  const { sources, offset, parts, thickness } = record(value, `what ${of} is made of`);
+  const { sources, offset, parts = [], thickness = 0 } = record(value, `what ${of} is made of`);
   const told = {
     sources: list(sources, `the objects that ${of} is made of`, mostObjects).map((id) =>
       whole(id, 1, Number.MAX_SAFE_INTEGER, `an object that ${of} is made of`),
@@ -372,7 +372,8 @@ function flag(value: unknown, what: string): boolean {
 }
 
 function text(value: unknown, what: string): string {
-  if (typeof value !== 'string' || value.length > longestName) {
+  // The schema counts characters, of which some are two units of the text.
+  if (typeof value !== 'string' || [...value].length > longestName) {
     throw new Error(`${what} must be a text of up to ${longestName} letters`);
   }
   return value;
