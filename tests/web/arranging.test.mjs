@@ -43,6 +43,36 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
+  test('a drag of a row ends without a move when the drawing changes meanwhile', async () => {
+    const tab = await Tab.open(browser, fragment);
+    const { page } = tab;
+    const rows = page.locator('#objects .object');
+    const middle = async (row) => {
+      const box = await rows.nth(row).boundingBox();
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    };
+    // Undo takes back the order, or a row.
+    for (const prepare of ['Alt+ArrowUp', 'Control+d']) {
+      const before = await namesOf(tab);
+      await rows.nth(2).focus();
+      await page.keyboard.press(prepare);
+      const [from, to] = [await middle(0), await middle(2)];
+      await page.mouse.move(from.x, from.y);
+      await page.mouse.down();
+      await page.mouse.move(to.x, to.y, { steps: 4 });
+      await page.locator('#objects .dragged').waitFor();
+      await page.keyboard.press('Control+z');
+      assert.deepEqual(await namesOf(tab), before);
+      assert.equal(await page.locator('#objects .dragged').count(), 0);
+      await page.mouse.move(to.x, to.y + 2);
+      await page.mouse.up();
+      assert.deepEqual(await namesOf(tab), before, prepare);
+    }
+    await tab.drag(await middle(0), await middle(2));
+    assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second'], 'the next drag moves a row');
+    await tab.close();
+  });
+
   test('a row pressed at the edge of the list is let go outside, and dragged if it is moved', async () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;

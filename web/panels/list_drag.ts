@@ -42,9 +42,15 @@ export class ListDrag {
     window.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape' || !this.#dragged?.moves) return;
       event.stopPropagation();
-      this.#let();
-      this.moves.ended();
+      this.letGo();
     });
+  }
+
+  /** Ends the drag under way without a move. */
+  letGo(): void {
+    if (!this.#dragged?.moves) return;
+    this.#let();
+    this.moves.ended();
   }
 
   get #rows(): HTMLElement[] {
@@ -58,15 +64,8 @@ export class ListDrag {
     const onButton = target.closest('.eye, .lock, .fold') !== null;
     if (!row || event.button !== 0 || onButton || this.#dragged) return;
     if (event.pointerType === 'touch' && !byGrip) return;
-    const from = this.#rows.indexOf(row);
-    this.#dragged = {
-      row,
-      pointer: event.pointerId,
-      y: event.clientY,
-      from,
-      to: from,
-      moves: false,
-    };
+    const place = { from: -1, to: -1 };
+    this.#dragged = { row, pointer: event.pointerId, y: event.clientY, ...place, moves: false };
   }
 
   #move({ pointerId, clientY }: PointerEvent): void {
@@ -75,6 +74,9 @@ export class ListDrag {
     const moved = clientY - dragged.y;
     if (!dragged.moves) {
       if (Math.abs(moved) <= slop) return;
+      // Rows may have come or gone since the press.
+      dragged.from = this.#rows.indexOf(dragged.row);
+      if (dragged.from < 0) return;
       dragged.moves = true;
       this.list.setPointerCapture(pointerId);
       dragged.row.classList.add('dragged');

@@ -1,6 +1,6 @@
 import type { Editor } from '../editor/state/editor';
 import type { State } from '../editor/state/state';
-import type { DrawnObject } from '../model/drawing';
+import type { Drawing, DrawnObject } from '../model/drawing';
 import { isEmpty } from '../model/figure';
 import { byId, formatInteger, make, write } from './elements';
 import { kindNames } from './kind_names';
@@ -27,6 +27,8 @@ type Toggled = 'visible' | 'locked';
 export class ObjectRows {
   readonly #list = byId('objects');
   readonly #folded = new Set<string>();
+  readonly #drag: ListDrag;
+  #drawing: Drawing | null = null;
   #rows: ListedRow[] = [];
   /** The group that is folded only during its drag, or null. */
   #carried: string | null = null;
@@ -36,7 +38,7 @@ export class ObjectRows {
     private readonly editor: Editor,
     private readonly rename: () => void,
   ) {
-    new ListDrag(this.#list, {
+    this.#drag = new ListDrag(this.#list, {
       began: (row) => this.#carry(row.dataset.group),
       moved: (from, to) => this.#moved(from, to),
       ended: () => this.#carry(undefined),
@@ -45,6 +47,11 @@ export class ObjectRows {
 
   show(state: State): void {
     const { drawing, chosen } = state;
+    // The places of a drag are those in the drawing that it began with.
+    if (drawing !== this.#drawing) {
+      this.#drawing = drawing;
+      this.#drag.letGo();
+    }
     // The list omits empty objects, so that no row appears while the user only tries a tool.
     const objects = drawing.objects.filter(({ figure }) => !isEmpty(figure)).toReversed();
     const active = state.none ? null : drawing.active;
