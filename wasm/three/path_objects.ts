@@ -28,16 +28,22 @@ class ObjectAlong extends Mesh<BufferGeometry, Material> {
   #curve: SurfaceCurve | undefined;
   #isStale = false;
   #drawing: Promise<void> | undefined;
+  /** A promise that resolves when the object is first drawn. */
+  readonly ready: Promise<void>;
 
   /** @internal */
   constructor(
     surface: Surface<AnyMesh>,
+    along: Followed,
     material: Material,
     draw: (path: Path | PathValue) => BufferGeometry,
   ) {
     super(new BufferGeometry(), material);
     this.surface = surface;
     this.#draw = draw;
+    this.ready = this.follow(along);
+    // A caller that waits for `ready` receives the failure, but no caller has to wait.
+    this.ready.catch(() => {});
   }
 
   /**
@@ -114,8 +120,6 @@ class ObjectAlong extends Mesh<BufferGeometry, Material> {
 export class TubeOnSurface extends ObjectAlong {
   /** The name of the class. */
   override readonly type: string = 'TubeOnSurface';
-  /** A promise that resolves when the tube is first drawn. */
-  readonly ready: Promise<void>;
 
   /**
    * The options are those of `tubeGeometry`, and a material; by default a red one that needs light.
@@ -131,12 +135,9 @@ export class TubeOnSurface extends ObjectAlong {
     along: Followed,
     { material, ...shape }: TubeOptions & { material?: Material | undefined } = {},
   ) {
-    super(surface, material ?? new MeshStandardMaterial({ color: lineColor }), (path) =>
+    super(surface, along, material ?? new MeshStandardMaterial({ color: lineColor }), (path) =>
       tubeGeometry(surface, path, shape),
     );
-    this.ready = this.follow(along);
-    // A caller that waits for `ready` receives the failure, but no caller has to wait.
-    this.ready.catch(() => {});
   }
 }
 
@@ -147,8 +148,6 @@ export class TubeOnSurface extends ObjectAlong {
 export class RibbonOnSurface extends ObjectAlong {
   /** The name of the class. */
   override readonly type: string = 'RibbonOnSurface';
-  /** A promise that resolves when the ribbon is first drawn. */
-  readonly ready: Promise<void>;
 
   /**
    * The options are those of `ribbonGeometry`, and a material; by default a red one that needs no
@@ -165,10 +164,9 @@ export class RibbonOnSurface extends ObjectAlong {
     along: Followed,
     { material, ...shape }: RibbonOptions & { material?: Material | undefined } = {},
   ) {
-    super(surface, material ?? ribbonMaterial(), (path) => ribbonGeometry(surface, path, shape));
-    this.ready = this.follow(along);
-    // A caller that waits for `ready` receives the failure, but no caller has to wait.
-    this.ready.catch(() => {});
+    super(surface, along, material ?? ribbonMaterial(), (path) =>
+      ribbonGeometry(surface, path, shape),
+    );
   }
 }
 
