@@ -125,6 +125,21 @@ export async function faceNormal(
   return normal.dot(new Vector3(...outside)) < 0 ? normal.negate() : normal;
 }
 
+interface Start {
+  client: EngineClient;
+  surface: Surface;
+  normal: Vector3;
+  objects: readonly DrawnObject[];
+  kept: readonly Figure[];
+  pivot: SurfacePoint;
+  /** The places of the objects, in the order of their return to the surface. */
+  carried: readonly Carried[];
+  beside: readonly Carried[];
+  /** The frames, if there are several parts; empty for a single part, which uses the pivot's. */
+  framed: readonly Framed[];
+  logs: { vectors: Float64Array; directions: Float64Array };
+}
+
 /**
  * A move of objects relative to a pivot. Each place becomes its log vector in the tangent plane of
  * the pivot, and each direction is transported to the pivot along the same path. The plane follows
@@ -137,23 +152,7 @@ export async function faceNormal(
  * each part moves in this way. The part keeps its places relative to its frame.
  */
 export class Move {
-  private constructor(
-    private readonly client: EngineClient,
-    private readonly surface: Surface,
-    private readonly normal: Vector3,
-    private readonly objects: readonly DrawnObject[],
-    private readonly kept: readonly Figure[],
-    private readonly pivot: SurfacePoint,
-    /** The places of the objects, in the order of their return to the surface. */
-    private readonly carried: readonly Carried[],
-    private readonly beside: readonly Carried[],
-    /**
-     * The frames, if there are several parts; empty for a single part, which uses the pivot's
-     * frame.
-     */
-    private readonly framed: readonly Framed[],
-    private readonly logs: { vectors: Float64Array; directions: Float64Array },
-  ) {}
+  private constructor(private readonly start: Start) {}
 
   /**
    * Begins a move of objects of a drawing. The places `beside` move along. Rejects if a place has
@@ -182,11 +181,8 @@ export class Move {
       directionsOf(all),
     );
     const normal = await faceNormal(client, surface, pivot);
-    const from = plain(pivot);
-    return new Move(
-      ...([client, surface, normal, objects, kept, from] as const),
-      ...([carried, beside, framed, logs] as const),
-    );
+    const start = { client, surface, normal, objects, kept, carried, beside, framed, logs };
+    return new Move({ ...start, pivot: plain(pivot) });
   }
 
   /** The command that moves the pivot to a point; a sentence if that is impossible. */
@@ -196,19 +192,19 @@ export class Move {
   }
 
   /** The result of the move; a sentence if it is impossible. */
-  async placed({ point = this.pivot, angle = 0, scale = 1 }: Placement): Promise<Placed | string> {
-    const { client, pivot, carried, objects } = this;
-    const stays = samePoint(point, pivot);
+  async placed({ point, angle = 0, scale = 1 }: Placement): Promise<Placed | string> {
+    const { client, surface, kept, pivot, carried, objects, framed, logs } = this.start;
+    const stays = !point || samePoint(point, pivot);
     if (stays && angle === 0 && scale === 1) return this.#unmoved;
-    const vectors = this.#turned(this.logs.vectors, angle, scale);
-    const ways = this.#turned(this.logs.directions, angle, 1);
+    const vectors = this.#turned(logs.vectors, angle, scale);
+    const ways = this.#turned(logs.directions, angle, 1);
     const { points, directions, remaining } = await client.putDown({
       ...{ from: pivot, to: stays ? null : plain(point) },
-      ...{ vectors, directions: ways, framed: this.framed, scale },
+      ...{ vectors, directions: ways, framed, scale },
     });
     if (remaining.some((left) => left > leftAtMost * client.info.diagonal)) return leaves;
-    const figures = movedFigures(this.kept, carried, { points, directions }, scale);
-    if (await isTorn(client, this.surface, objects, figures, scale)) return tears;
+    const figures = movedFigures(kept, carried, { points, directions }, scale);
+    if (await isTorn(client, surface, objects, figures, scale)) return tears;
     const own = carried.length;
     return {
       ...{ command: replacing(objects, figures), figures },
@@ -217,10 +213,10 @@ export class Move {
   }
 
   get #unmoved(): Placed {
-    const { beside } = this;
+    const { beside, objects } = this.start;
     return {
       command: { type: 'steps', steps: [] },
-      figures: this.objects.map(({ figure }) => figure),
+      figures: objects.map(({ figure }) => figure),
       beside: { points: beside.map(({ place }) => place), directions: directionsOf(beside) },
     };
   }
@@ -230,7 +226,7 @@ export class Move {
     const turned = new Float64Array(vectors.length);
     const vector = new Vector3();
     for (let i = 0; i < vectors.length; i += 3) {
-      vector.fromArray(vectors, i).applyAxisAngle(this.normal, angle).multiplyScalar(scale);
+      vector.fromArray(vectors, i).applyAxisAngle(this.start.normal, angle).multiplyScalar(scale);
       turned.set(vector.toArray() as Vector, i);
     }
     return turned;
