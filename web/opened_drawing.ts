@@ -34,8 +34,8 @@ export const carried = (drawing: Drawing, from: Surface, to: Surface): Drawing =
 });
 
 /**
- * A drawing that comes along to another reading of a surface; null if it is blank, so that a drawing
- * kept with that reading stays.
+ * A drawing that comes along to another mesh of a surface; null if it is blank, so that a drawing
+ * kept on that mesh stays.
  */
 export const unlessBlank = (drawing: Drawing): Drawing | null =>
   isBlank(drawing) ? null : drawing;

@@ -192,9 +192,7 @@ export class Opening {
       if (sameParts && before.weld === after.weld) return await this.#turn(key, signal);
       const content = await this.fileOf(key);
       if (signal.aborted) return;
-      // Points refer to the file's own triangles, which do not change.
-      const wanted = () => (sameParts ? unlessBlank(this.editor.state.drawing) : null);
-      if (content) await this.#open(key, fileSource(key, content), wanted, {}, controller);
+      if (content) await this.#open(key, fileSource(key, content), () => null, {}, controller);
       else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
     } finally {
       if (this.#rereading?.controller === controller) this.#rereading = null;
@@ -213,11 +211,10 @@ export class Opening {
     const drawn = await drawnGeometry(drawnMesh(client, key));
     if (client !== this.session.client || signal.aborted) return;
     this.editor.cancelDrag();
-    // The user may have edited the drawing in the meantime.
-    const { drawing, standIn } = this.editor.state;
+    const { standIn } = this.editor.state;
     const { triangles } = viewer.showSurface(drawn);
     viewer.resetView({ animated: false });
-    this.#showDrawing(key, unlessBlank(drawing), triangles, { standIn });
+    this.#showDrawing(key, null, triangles, { standIn });
     this.onEnd();
   }
 

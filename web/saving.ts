@@ -2,7 +2,7 @@ import type { Editor } from './editor/state/editor';
 import type { State } from './editor/state/state';
 import type { History } from './model/history';
 import { formatLink, type Link, parseLink, viewFields } from './model/link';
-import { sameContent } from './model/meshes';
+import { drawnKey } from './model/meshes';
 import { linkOfWork, readWork, savedLink, savedWork } from './model/saved_work';
 import {
   nameFor,
@@ -153,15 +153,16 @@ function found(text: string | null | undefined, own: boolean): FoundLink | null 
 export function linkOf(fragment: string): FoundLink | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   if (!fields.get('kept')) return found(fragment, false);
-  const kept = keptLink(fields.get('mesh') ?? '') ?? found(fragment, false);
+  const mesh = fields.get('mesh') ?? '';
+  const kept = keptLink(mesh) ?? found(fragment, false);
   const view = parseView(fields.get('view') ?? '');
-  return kept && { ...kept, link: { ...kept.link, view } };
+  return kept && { ...kept, link: { ...kept.link, mesh, view } };
 }
 
 /** The drawing that this browser kept for a surface. */
 function keptLink(mesh: string): FoundLink | null {
   const inTab = found(linkOfWork(recallInTab('work') ?? ''), true);
-  if (inTab && sameContent(inTab.link.mesh, mesh)) return inTab;
+  if (inTab && drawnKey(inTab.link.mesh) === drawnKey(mesh)) return inTab;
   return found(recallFor('document', mesh), true);
 }
 

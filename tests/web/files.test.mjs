@@ -493,6 +493,10 @@ describe('files of surfaces', () => {
       assert.deepEqual((await tab.state()).figure.points, points);
     };
     await joined();
+    await tab.page.keyboard.press('Control+z');
+    assert.deepEqual((await tab.state()).figure.points, points.slice(0, -1));
+    await tab.page.keyboard.press('Control+y');
+    await joined();
     await weld.waitFor({ state: 'hidden' });
     await tab.pastSaving();
     await tab.page.reload();

@@ -114,6 +114,9 @@ describe('what is kept', () => {
     afresh();
     localStorage.setItem(`karcher.document.${one}`, linkOfPoints(1300, one));
     assert.deepEqual([found(one), found(other)], [1300, 1300]);
+    assert.equal(found(other.replace('~z', '~x')), 1300, 'whatever points up');
+    assert.equal(found(other.replace('.0', '.1')), 0, 'other parts');
+    assert.equal(page.linkOf(`mesh=${encodeURIComponent(other)}&kept=1`).link.mesh, other);
     page.keepDrawing({ mesh: other, method, drawing }, null);
     assert.deepEqual([found(one), found(other)], [1400, 1400], 'the newer one counts');
   });

@@ -1,4 +1,4 @@
-// The drawing of a file stays with the way in which the file was read.
+// The drawing of a file stays with its content, under any name and whatever points up.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { everyFile } from '../wasm/mesh_files.mjs';
@@ -86,7 +86,7 @@ describe('a file under another name', () => {
 describe('a file that is read in another way', () => {
   const browser = browserOfSuite({ asUsers: true });
 
-  test('has the drawing that was kept with this way, unless another one comes along', async () => {
+  test('has its drawing and its steps, whatever points up', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     const file = everyFile(cone)['little.ply'];
@@ -103,15 +103,27 @@ describe('a file that is read in another way', () => {
     await turn('Y up', '~y:cone.ply');
     await tab.click([-30, 10], [0, 25], [30, 0], [0, -25]);
     assert.equal(await count(), 4);
+    const undone = async () => {
+      await page.keyboard.press('Control+z');
+      assert.equal(await count(), 3);
+      await page.keyboard.press('Control+y');
+      assert.equal(await count(), 4);
+    };
+    await turn('X up', '~x:cone.ply');
+    await undone();
+    await turn('Y up', '~y:cone.ply');
+    await undone();
     // The user drops the file again.
     await tab.dropBytes('cone.ply', file);
     await page.waitForFunction(() => !window.karcherPage.state().mesh.includes('~'));
     await tab.settled();
-    assert.equal(await count(), 0);
-    await turn('Y up', '~y:cone.ply');
-    assert.equal(await count(), 4);
-    await turn('X up', '~x:cone.ply');
-    assert.equal(await count(), 4);
+    await undone();
+    await turn('Z down', '~-z:cone.ply');
+    await tab.pastSaving();
+    await page.reload();
+    await shown('~-z:cone.ply');
+    await tab.settled();
+    await undone();
     await tab.close();
   });
 });

@@ -1,7 +1,7 @@
 /** Objects as copied text, to paste here or in another tab. */
 import type { DrawnObject } from './drawing';
 import { fittingObjects } from './fitting';
-import { sameContent } from './meshes';
+import { drawnKey } from './meshes';
 import { drawingVersion, readObjects } from './saved_drawing';
 
 const format = 'karcher-objects';
@@ -29,7 +29,7 @@ export function pastedObjects(
   if (content.version !== drawingVersion) {
     throw new Error('what was copied comes from another version of this page');
   }
-  if (!sameContent(`${content.surface}`, mesh)) {
+  if (drawnKey(`${content.surface}`) !== drawnKey(mesh)) {
     throw new Error('what was copied lies on another surface');
   }
   return fittingObjects(readObjects(content.objects), triangles);

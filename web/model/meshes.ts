@@ -244,6 +244,12 @@ export const sameContent = (a: string, b: string) => contentKey(a) === contentKe
 /** The key of a file without its options for reading; any other key is unchanged. */
 export const keyOfFile = (key: string) => readAs(key, { parts: null, weld: null, up: null });
 
+/**
+ * The key of the drawings on a surface. Their points refer to the file's own triangles, whatever the
+ * tolerance of welding is, and whatever points up.
+ */
+export const drawnKey = (key: string) => contentKey(readAs(key, { weld: null, up: null }));
+
 /** A file with the parts and the welding tolerance of its key. */
 export function fileSource(key: string, content: Blob): FileSource {
   const { parts = null, weld = null } = readingOf(key) ?? {};

@@ -3,7 +3,7 @@
  * last opened files (IndexedDB). A browser may keep nothing, for example in private windows: the
  * page then starts afresh, without an error.
  */
-import { contentKey, sameContent } from './meshes';
+import { drawnKey, sameContent } from './meshes';
 
 const prefix = 'karcher.';
 const longestFile = 128 * 1024 * 1024;
@@ -59,11 +59,11 @@ export const remember = (name: string, value: string) => rememberAll({ [name]: v
 export const recall = (name: string) => find(() => localStorage, name);
 
 /** The name of a value that belongs to a surface. */
-export const nameFor = (what: string, key: string) => `${what}.${contentKey(key)}`;
+export const nameFor = (what: string, key: string) => `${what}.${drawnKey(key)}`;
 
 /**
- * The value that belongs to a surface. Earlier versions had the file's name in the value's name, so
- * that names with another file's name count as well.
+ * The value that belongs to a surface. Earlier versions had the whole key in the value's name: names
+ * with other options for reading that keep the drawing, or with another file's name, count as well.
  */
 export function recallFor(what: string, key: string): string | null {
   const name = nameFor(what, key);
@@ -71,7 +71,10 @@ export function recallFor(what: string, key: string): string | null {
   if (kept !== null || !name.startsWith(`${what}.file:`)) return kept;
   try {
     const names = Array.from({ length: localStorage.length }, (_, i) => localStorage.key(i)!);
-    const earlier = names.find((one) => one.startsWith(`${prefix}${name}:`));
+    const start = prefix + name;
+    const earlier = names.find(
+      (one) => one.startsWith(start) && /^[*~:]/.test(one.slice(start.length)),
+    );
     return earlier ? localStorage.getItem(earlier) : null;
   } catch {
     return null;
