@@ -7,7 +7,7 @@
 namespace karcher {
 
 inline constexpr int kMostArcs = 64;
-inline constexpr int kMostFittingArcs = 128;
+inline constexpr int kMostFittingArcs = 2 * kMostArcs;
 
 struct CircleOptions {
   /// The number of equally wide arcs, 3 to 64. By default as many as the tolerance needs, or 7 for

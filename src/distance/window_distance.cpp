@@ -1,6 +1,7 @@
 #include "distance/window_distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <tuple>
 
@@ -30,12 +31,6 @@ double bucketWidth(const Geometry& geometry) {
   while (areShort(width / 2)) width /= 2;
   return width;
 }
-
-/// A threshold for the ratio of the longest edge to the shortest. Above it, the solver computes the
-/// apex of a face from both ends of the edge that windows cross (FaceSides), so that no short
-/// length is a difference of long ones. Windows that leave a source inside a face always use both
-/// ends.
-constexpr double kWide = 1e6;
 
 /// A threshold for the ratio of the longest edge to the shortest. Above it, a window may circle
 /// over the same edges and never come near a vertex from which shorter paths would end it.
@@ -93,7 +88,10 @@ WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
       tolerance_(tolerance),
       vertices_(mesh_.vertexCount(), pages),
       waiting_(mesh_.faceCount(), pages),
-      isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
+      // Above the square root of the widest range, the solver computes the apex of a face from both
+      // ends of the edge that windows cross (FaceSides), so that no short length is a difference of
+      // long ones. Windows that leave a source inside a face always use both ends.
+      isWide_(geometry.longestEdge > std::sqrt(kWidestRange) * geometry.shortestEdge),
       isThin_(geometry.longestEdge > kThin * geometry.shortestEdge),
       // Between the ends of very short edges, windows just wider than rounding matter, too.
       narrowest_(isWide_ ? kStepRounding : kNarrowestWindow),
