@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
-#include "distance/window_distance.h"
 #include "mesh/sorted_numbers.h"
 
 namespace karcher {
-namespace {
 
-/// Writes the length of the shortest path to each point. The path comes from an image in the
-/// point's face, or over a corner of this face.
 void writeLengths(const Geometry& geometry, const WindowDistance& distance,
                   const Array<SurfacePoint>& points, Array<double>& lengths) {
   Array<const SourceImage*> images;
@@ -32,8 +28,6 @@ void writeLengths(const Geometry& geometry, const WindowDistance& distance,
     lengths[i] = length;
   }
 }
-
-}  // namespace
 
 Array<double> exactLengths(const Geometry& geometry, const SurfacePoint& source,
                            const Array<SurfacePoint>& points, double likely) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "distance/window_distance.h"
 #include "intrinsic/geometry.h"
 
 namespace karcher {
@@ -9,5 +10,11 @@ namespace karcher {
 /// until it reaches them. Throws what `WindowDistance` throws.
 Array<double> exactLengths(const Geometry& geometry, const SurfacePoint& source,
                            const Array<SurfacePoint>& points, double likely);
+
+/// Writes the length of the shortest path that the search has found to each point. The path comes
+/// from an image in the point's face, or over a corner of this face. The solver must keep the
+/// images in these faces (WindowDistance::keepImagesIn).
+void writeLengths(const Geometry& geometry, const WindowDistance& distance,
+                  const Array<SurfacePoint>& points, Array<double>& lengths);
 
 }  // namespace karcher

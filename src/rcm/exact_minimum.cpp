@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "distance/window_distance.h"
+#include "distance/exact_lengths.h"
 #include "intrinsic/straightest.h"
 #include "mesh/rounding.h"
 
@@ -28,22 +28,6 @@ constexpr double kMovedFor = kLowerBy / 4;
 /// The bound on moves. Most moves halve the distance to the minimum, and more than a dozen moves
 /// occur only on surfaces of pure noise.
 constexpr int kMostMoves = 24;
-
-/// The length of the shortest path from the source to a point: straight from one of the source's
-/// images in the point's face, or over one of the face's corners.
-double lengthTo(const Geometry& geometry, const WindowDistance& distance, const SurfacePoint& to) {
-  const Vec2 point = pointInFace(geometry, to);
-  double length = kInfinity;
-  for (const SourceImage& image : distance.images()) {
-    if (image.face == to.face) length = std::min(length, lengthFrom(image, point));
-  }
-  for (int k = 0; k < 3; ++k) {
-    const int vertex = geometry.mesh->corner(to.face, k);
-    length = std::min(
-        length, distance.distance(vertex) + (point - cornerInFace(geometry, to.face, k)).norm());
-  }
-  return length;
-}
 
 /// The direction, in a face's frame, from a point of the face to the farthest corner.
 double farthestCorner(const Geometry& geometry, const SurfacePoint& point) {
@@ -105,11 +89,8 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
       distance.aimAt(PathAim{middle, radius, most});
       distance.setSource(points_[i]);
       distance.grow(most);
-      double longest = 0;
-      for (int k = 0; k < places.count(); ++k) {
-        lengths[k] = lengthTo(geometry_, distance, places[k]);
-        longest = std::max(longest, lengths[k]);
-      }
+      writeLengths(geometry_, distance, places, lengths);
+      const double longest = *std::max_element(lengths.begin(), lengths.end());
       if (longest <= most || most == kInfinity) break;
       most = longest < kInfinity            ? (1 + kChainRounding) * longest
              : most < 10 * geometry_.extent ? 2 * std::max(most, geometry_.meanEdge)
