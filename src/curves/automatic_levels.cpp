@@ -5,6 +5,7 @@
 
 #include "distance/sight.h"
 #include "intrinsic/straighten.h"
+#include "intrinsic/strip_path.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -84,6 +85,21 @@ bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorks
                        return leastConvexity(geometry, polygon.legs, piece, workspace.weights,
                                              workspace.convexity) >= kLeastConvexity;
                      });
+}
+
+bool areFramesTurned(const Geometry& geometry, const Array<SurfacePath>& legs) {
+  const auto isTurned = [&](int vertex) {
+    return kPi / 2 * std::abs(1 - 1 / geometry.angleScale[vertex]) > kMostDetail;
+  };
+  for (const SurfacePath& leg : legs) {
+    for (int i = 1; i < leg.points.count(); ++i) {
+      const int face = commonFace(*geometry.mesh, leg.points[i - 1], leg.points[i]);
+      for (int k = 0; face >= 0 && k < 3; ++k) {
+        if (isTurned(geometry.mesh->corner(face, k))) return true;
+      }
+    }
+  }
+  return false;
 }
 
 int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,

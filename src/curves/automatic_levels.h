@@ -11,8 +11,9 @@
 /// - If level 0 is safe, its curve is the one of Mancinelli and Puppo, Eq. 4. If levels move it by
 ///   no more than a tolerance (deviation.h), the curve takes the number of levels with which
 ///   tracing is fastest; otherwise it takes none.
-/// - If level 0 is not safe, for instance on a rough surface, the curve takes the fewest levels at
-///   which it is safe, or more if tracing is then faster.
+/// - If level 0 is not safe, for instance on a rough surface, or if the frames of vertices turn the
+///   fields of level 0, the curve takes the fewest levels at which it is safe, but at least one, or
+///   more if tracing is then faster.
 ///
 /// These decisions use only the legs of the polygons and the faces that the legs cross, with two
 /// exceptions at level 0. A traced curve with bridges is not safe. And the legs between two points,
@@ -36,6 +37,11 @@ struct LevelsWorkspace {
 /// Whether all pieces of a polygon are safe. The polygon may be the control polygon itself, whose
 /// pieces are the curve's segments.
 bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorkspace& workspace);
+
+/// Whether the frame of a vertex beside a leg, whose angles are scaled, turns gradients in the half
+/// plane towards their source by more than the detail of a safe leg. The fields of level 0 rely on
+/// these frames. Near fields do not where paths are straight (FieldBlend).
+bool areFramesTurned(const Geometry& geometry, const Array<SurfacePath>& legs);
 
 /// The number of levels after which a polygon is probably safe, estimated from the detail along the
 /// control polygon's legs. It is at least 1 if the shape takes levels. The refined polygon may need

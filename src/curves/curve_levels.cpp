@@ -117,7 +117,7 @@ int Curve::levelsOf(const Next& next) {
   LevelsWorkspace& workspace = workspace_->levels;
   const RefinedPolygon& polygon = leggedPolygon(next.value, next.legs);
   const int quick = quickLevels(options.shape, points, next.legs);
-  if (next.jumps || !isSafe(geometry, polygon, workspace)) {
+  if (next.jumps || areFramesTurned(geometry, next.legs) || !isSafe(geometry, polygon, workspace)) {
     return std::max(levelsToSafety(geometry, options.shape, points, next.legs), quick);
   }
   const auto isNearIt = [&] {

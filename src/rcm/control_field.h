@@ -29,8 +29,10 @@ class ControlField {
   using EvaluateMidpoint = std::function<Vec2(int halfedge)>;
 
   /// Removes all values, in time linear in their number; `evaluate` computes new ones. With
-  /// `evaluateMidpoint` the field also has values at the midpoints of edges.
-  void reset(Evaluate evaluate, EvaluateMidpoint evaluateMidpoint = {}) {
+  /// `evaluateMidpoint` the field also has values at the midpoints of edges. `isOfPaths` says that
+  /// each value is that of a path to the control point, not an estimate from several vertices.
+  void reset(Evaluate evaluate, EvaluateMidpoint evaluateMidpoint = {}, bool isOfPaths = false) {
+    isOfPaths_ = isOfPaths;
     numberOf_.clear();
     values_.clear();
     corrections_.clear();
@@ -50,6 +52,7 @@ class ControlField {
     return values_[added] = value;
   }
 
+  bool isOfPaths() const { return isOfPaths_; }
   bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }
 
   /// The field at the midpoint of a half-edge minus the mean of the values at its ends. For each
@@ -80,6 +83,7 @@ class ControlField {
 
   Evaluate evaluate_;
   EvaluateMidpoint evaluateMidpoint_;
+  bool isOfPaths_ = false;
   SparseIndex numberOf_;
   Array<FieldValue> values_ = roomForNearField();
   std::unordered_map<int, Vec2> corrections_;

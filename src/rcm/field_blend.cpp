@@ -1,10 +1,74 @@
 #include "rcm/field_blend.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "intrinsic/angles.h"
 
 namespace karcher {
 namespace {
+
+/// A field's values at the corners of a face, in its frame.
+struct FaceValues {
+  Vec2 gradients[3];
+  double squaredDistances[3];
+  bool isStraight = false;  ///< whether all corners see the source at one place of the plane
+};
+
+/// Whether the distances of the corners of a face can be those from one place in its plane.
+bool mayHaveOneSource(const Geometry& geometry, int face, const double (&squares)[3], double size) {
+  const double edge = geometry.edgeLength[3 * face];
+  const Vec2& apex = geometry.apex[face];
+  const double x = (squares[0] - squares[1] + edge * edge) / (2 * edge);
+  const double y =
+      (squares[0] - squares[2] + apex.squaredNorm() - 2 * apex.x() * x) / (2 * apex.y());
+  return std::abs(x * x + y * y - squares[0]) <= kChainRounding * size;
+}
+
+/// Replaces the gradients by those of straight paths, if all corners of the face see the source at
+/// one place in its plane: if the place that the nearest corner sees, by the unscaled direction of
+/// its path, has the distances of the others. Does nothing if the corners are flat.
+void straighten(const Geometry& geometry, int face, FaceValues& values) {
+  const double(&squares)[3] = values.squaredDistances;
+  int nearest = 0;
+  bool isFlat = true;
+  double size = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (squares[k] < squares[nearest]) nearest = k;
+    const int h = 3 * face + k;
+    isFlat = isFlat && std::abs(geometry.angleScale[geometry.mesh->tail(h)] - 1) <= kChainRounding;
+    size += squares[k] + geometry.edgeLength[h] * geometry.edgeLength[h];
+  }
+  if (isFlat || !mayHaveOneSource(geometry, face, squares, size)) return;
+  const Vec2 corner = cornerInFace(geometry, face, nearest);
+  const Vec2 toSource = values.gradients[nearest] / -2;
+  // The frames of a vertex and of a face agree in the direction of the face's centroid.
+  const Vec2 centroid = (Vec2(geometry.edgeLength[3 * face], 0) + geometry.apex[face]) / 3;
+  const double scaled = angleFromTo(centroid - corner, toSource);
+  const double unscaled = scaled / geometry.angleScale[geometry.mesh->corner(face, nearest)];
+  const Vec2 source = corner + rotate(unitVector(unscaled - scaled), toSource);
+  Vec2 straight[3];
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 fromSource = cornerInFace(geometry, face, k) - source;
+    if (!(std::abs(fromSource.squaredNorm() - squares[k]) <= kChainRounding * size)) return;
+    straight[k] = 2 * fromSource;
+  }
+  std::copy(straight, straight + 3, values.gradients);
+  values.isStraight = true;
+}
+
+FaceValues valuesInFace(const Geometry& geometry, ControlField& field, int face) {
+  FaceValues values;
+  for (int k = 0; k < 3; ++k) {
+    const int h = 3 * face + k;
+    const FieldValue& value = field.at(geometry.mesh->tail(h));
+    values.gradients[k] = rotate(geometry.vertexToFace[h], value.gradient);
+    values.squaredDistances[k] = value.squaredDistance;
+  }
+  if (field.isOfPaths()) straighten(geometry, face, values);
+  return values;
+}
 
 /// Values at the ends of half-edge h, in its frame.
 EdgeValues valuesAtEnds(const Geometry& geometry, ControlField& field, int h) {
@@ -55,6 +119,7 @@ void FieldBlend::setFields(const Array<ControlField*>& fields) {
   const int width = 6 * fields_.count();
   if (width == width_) return;
   vectors_.resize(shapes_.size() * static_cast<size_t>(width));
+  straight_.resize(shapes_.size() * fields_.size());
   width_ = width;
 }
 
@@ -84,17 +149,14 @@ Vec2 FieldBlend::atVertex(int vertex, Weights weights) {
 double FieldBlend::energy(const SurfacePoint& point, Weights weights) {
   const Vec2 x = pointInFace(geometry_, point);
   double sum = 0;
-  for (int k = 0; k < 3; ++k) {
-    if (point.bary[k] == 0) continue;
-    const int vertex = geometry_.mesh->corner(point.face, k);
-    double corner = 0;
-    for (int i = 0; i < fields_.count(); ++i) {
-      corner += weights.data()[i] * fields_[i]->at(vertex).squaredDistance;
+  for (int i = 0; i < fields_.count(); ++i) {
+    const FaceValues values = valuesInFace(geometry_, *fields_[i], point.face);
+    for (int k = 0; k < 3; ++k) {
+      if (point.bary[k] == 0) continue;
+      const Vec2 step = x - cornerInFace(geometry_, point.face, k);
+      sum += weights.data()[i] * point.bary[k] *
+             (values.squaredDistances[k] + values.gradients[k].dot(step) / 2);
     }
-    const Vec2 gradient =
-        rotate(geometry_.vertexToFace[3 * point.face + k], atVertex(vertex, weights));
-    const Vec2 step = x - cornerInFace(geometry_, point.face, k);
-    sum += point.bary[k] * (corner + gradient.dot(step) / 2);
   }
   return sum;
 }
@@ -122,7 +184,22 @@ double FieldBlend::zeroAlongEdge(int h, Weights weights) {
   return std::clamp(alongA / (alongA - alongB), 0.0, 1.0);
 }
 
-EdgeValues FieldBlend::valuesAlongEdge(ControlField& field, int h, int half) {
+EdgeValues FieldBlend::valuesAlongEdge(int i, int h, int half) {
+  ControlField& field = *fields_[i];
+  if (field.isOfPaths() && !cells_.cut()) {
+    for (const int side : {h, geometry_.mesh->twin[h]}) {
+      if (side < 0) continue;
+      const int slot = slotOf(faceOf(side));
+      if (straight_[static_cast<ptrdiff_t>(slot) * fields_.count() + i] == 0) continue;
+      const double* vectors = vectorsOf(slot) + 6 * i;
+      const auto inEdge = [&](int corner) {
+        return rotateBack(halfedgeInFace(geometry_, side) / geometry_.edgeLength[side],
+                          Vec2(vectors[2 * corner], vectors[2 * corner + 1]));
+      };
+      const EdgeValues values{inEdge(cornerOf(side)), inEdge(cornerOf(next(side)))};
+      return side == h ? values : EdgeValues{-values.head, -values.tail};
+    }
+  }
   EdgeValues values = valuesAtEnds(geometry_, field, h);
   if (cells_.cut()) (half == 0 ? values.head : values.tail) = midpointInEdge(geometry_, field, h);
   return values;
@@ -130,13 +207,13 @@ EdgeValues FieldBlend::valuesAlongEdge(ControlField& field, int h, int half) {
 
 void FieldBlend::alongEdge(int h, int half, EdgeField& result) {
   result.fields.clear();
-  for (ControlField* field : fields_) result.fields.push_back(valuesAlongEdge(*field, h, half));
+  for (int i = 0; i < fields_.count(); ++i) result.fields.push_back(valuesAlongEdge(i, h, half));
 }
 
 EdgeValues FieldBlend::blendAlongEdge(int h, int half, Weights weights) {
   EdgeValues sum;
   for (int i = 0; i < fields_.count(); ++i) {
-    EdgeField::add(weights.data()[i], valuesAlongEdge(*fields_[i], h, half), sum);
+    EdgeField::add(weights.data()[i], valuesAlongEdge(i, h, half), sum);
   }
   return sum;
 }
@@ -196,6 +273,7 @@ void FieldBlend::fillSlot(int slot, int cell) {
     // once.
     const size_t room = static_cast<size_t>(slot == 0 ? 32 : 2 * slot);
     vectors_.resize(room * static_cast<size_t>(width_));
+    straight_.resize(room * fields_.size());
     shapes_.resize(room);
   }
   double* out = vectors_.data() + static_cast<ptrdiff_t>(slot) * width_;
@@ -204,21 +282,19 @@ void FieldBlend::fillSlot(int slot, int cell) {
     shapes_[slot] = shapeOf(cell);
     return;
   }
-  double bend = 0;
-  for (int k = 0; k < 3; ++k) {
-    const int vertex = geometry_.mesh->corner(cell, k);
-    bend = std::max(bend, std::abs(geometry_.angleScale[vertex] - 1));
-    const Vec2& rotation = geometry_.vertexToFace[3 * cell + k];
-    double* at = out + 2 * k;
-    for (ControlField* field : fields_) {
-      const Vec2 vector = rotate(rotation, field->at(vertex).gradient);
-      at[0] = vector.x();
-      at[1] = vector.y();
-      at += 6;
+  shapes_[slot] = shapeOf(cell);
+  const double bound = shapes_[slot].holonomy;
+  char* straight = straight_.data() + static_cast<ptrdiff_t>(slot) * fields_.count();
+  for (ControlField* field : fields_) {
+    const FaceValues values = valuesInFace(geometry_, *field, cell);
+    for (const Vec2& vector : values.gradients) {
+      *out++ = vector.x();
+      *out++ = vector.y();
     }
+    *straight++ = values.isStraight;
+    // A straight field may meet one of scaled angles at an edge, and differ twice as much from it.
+    if (values.isStraight) shapes_[slot].holonomy = std::min(1.0, 2 * bound);
   }
-  const Vec2& apex = geometry_.apex[cell];
-  shapes_[slot] = {geometry_.edgeLength[3 * cell], apex.x(), apex.y(), std::min(1.0, kPi * bend)};
 }
 
 /// Writes the vectors of all fields in a cell of a divided face.

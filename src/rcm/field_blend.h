@@ -12,6 +12,10 @@
 /// The weighted sum of control points' fields: grad K for the energy K(p) = sum_i w_i d(p, p_i)^2
 /// (Mancinelli, Puppo, Eq. 1). The sum is linear in each cell. A cell is a face. If a field has
 /// values at the midpoints of edges, the midpoints divide each face into four cells.
+///
+/// The frames of vertices, whose angles are scaled, turn a path's direction against the plane of a
+/// face. So where all corners of a face see a control point at one place in this plane, as on a
+/// flat side of a solid, the field of the paths to this point is exact instead.
 namespace karcher {
 
 /// Weights, one for each field. They sum to 1 up to kChainRounding.
@@ -148,7 +152,8 @@ class FieldBlend {
   int findSlot(int cell);
   void fillSlot(int slot, int cell);
   CellShape shapeOf(int cell) const;
-  EdgeValues valuesAlongEdge(ControlField& field, int h, int half);
+  /// The values of field i along half-edge h of a face, or along one half.
+  EdgeValues valuesAlongEdge(int i, int h, int half);
   void fillCut(double* out, int cell);
   /// The transported vectors of all fields in a slot's cell: six numbers for each field, x and y at
   /// each corner.
@@ -161,6 +166,7 @@ class FieldBlend {
   StraightestPath step_;
   int width_;              ///< the number of values of a slot in vectors_
   Array<double> vectors_;  ///< the vectors by slot, with memory for some more slots
+  Array<char> straight_;   ///< by slot: for each field whether it is straight in the cell
   Array<CellShape> shapes_;
   SparseIndex slots_;  ///< the slot of each cell in use
   int lastCell_ = -1;

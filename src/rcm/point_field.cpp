@@ -75,7 +75,7 @@ void PointField::makePaperField() {
 void PointField::makeNearField() {
   findSightSources(surface_.geometry(), point_, sights_);
   isAroundHubs_ = false;
-  field_.reset([this](int v) { return nearValue(v); });
+  field_.reset([this](int v) { return nearValue(v); }, {}, true);
 }
 
 FieldValue PointField::valueBesideHub(int vertex) {
