@@ -118,7 +118,7 @@ export class Editor {
    */
   preview(edit: FigureCommand, dragged: readonly number[] = noNumbers): void {
     if (!this.#drag && this.refuses()) return;
-    this.#drag ??= new DragStep(this.#state.drawing, this.#insideKept());
+    this.#drag ??= new DragStep(this.#state.drawing, this.objects.insideKept(this.active));
     const { base } = this.#drag;
     this.#drag.command = this.#commandOf(edit);
     const drawing = apply(base, this.#drag.withInside(this.#drag.command));
@@ -160,16 +160,6 @@ export class Editor {
     this.#drag = null;
     this.#change({ drawing, dragging: false, dragged: noNumbers }, false);
     return true;
-  }
-
-  /**
-   * The edit that stores the side that the edited figure encloses; null if it has a side already,
-   * or encloses no region.
-   */
-  #insideKept(): Command | null {
-    const { id, figure } = this.active;
-    const to = figure.inside ? null : this.insideOf(figure);
-    return to && { type: 'figure', id, edit: { type: 'inside', from: undefined, to } };
   }
 
   /** The command of an ended drag, with the changes that follow from it. */

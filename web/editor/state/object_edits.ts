@@ -141,6 +141,15 @@ export class ObjectEdits {
     if (steps.length > 0) this.#editor.perform(joined(steps));
   }
 
+  /**
+   * The edit that stores the side that an object's figure encloses; null if it has a side already,
+   * or encloses no region.
+   */
+  insideKept({ id, figure }: DrawnObject): Command | null {
+    const to = figure.inside ? null : this.#editor.insideOf(figure);
+    return to && { type: 'figure', id, edit: { type: 'inside', from: undefined, to } };
+  }
+
   /** Sets the rule that decides which regions the self-crossing lines of these objects enclose. */
   setRule(ids: readonly number[], to: FillRule): void {
     this.#editor.interrupt();
