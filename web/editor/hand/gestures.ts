@@ -172,7 +172,10 @@ export class Gestures {
     });
   }
 
-  /** Undoes the pointer's gesture, or ends it as it is shown if it was released. The pointer's release is then no click. */
+  /**
+   * Undoes the pointer's gesture, or ends it as it is shown if it was released. The pointer's
+   * release is then no click.
+   */
   letGo(): void {
     this.#press = null;
     this.#drags.letGo();
