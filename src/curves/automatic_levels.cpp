@@ -7,6 +7,7 @@
 #include "intrinsic/straighten.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
+#include "rcm/field_blend.h"
 
 namespace karcher {
 namespace {
@@ -88,15 +89,10 @@ bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorks
 }
 
 bool areFramesTurned(const Geometry& geometry, const Array<SurfacePath>& legs) {
-  const auto isTurned = [&](int vertex) {
-    return kPi / 2 * std::abs(1 - 1 / geometry.angleScale[vertex]) > kMostDetail;
-  };
   for (const SurfacePath& leg : legs) {
     for (int i = 1; i < leg.points.count(); ++i) {
       const int face = commonFace(*geometry.mesh, leg.points[i - 1], leg.points[i]);
-      for (int k = 0; face >= 0 && k < 3; ++k) {
-        if (isTurned(geometry.mesh->corner(face, k))) return true;
-      }
+      if (face >= 0 && hasTurnedFrame(geometry, face)) return true;
     }
   }
   return false;

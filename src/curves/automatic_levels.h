@@ -38,8 +38,7 @@ struct LevelsWorkspace {
 /// pieces are the curve's segments.
 bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorkspace& workspace);
 
-/// Whether the frame of a vertex beside a leg, whose angles are scaled, turns gradients in the half
-/// plane towards their source by more than the detail of a safe leg. The fields of level 0 rely on
+/// Whether a face along the legs has a turned frame (hasTurnedFrame). The fields of level 0 rely on
 /// these frames. Near fields do not where paths are straight (FieldBlend).
 bool areFramesTurned(const Geometry& geometry, const Array<SurfacePath>& legs);
 

@@ -28,19 +28,17 @@ bool mayHaveOneSource(const Geometry& geometry, int face, const double (&squares
 
 /// Replaces the gradients by those of straight paths, if all corners of the face see the source at
 /// one place in its plane: if the place that the nearest corner sees, by the unscaled direction of
-/// its path, has the distances of the others. Does nothing if the corners are flat.
+/// its path, has the distances of the others.
 void straighten(const Geometry& geometry, int face, FaceValues& values) {
   const double(&squares)[3] = values.squaredDistances;
   int nearest = 0;
-  bool isFlat = true;
   double size = 0;
   for (int k = 0; k < 3; ++k) {
     if (squares[k] < squares[nearest]) nearest = k;
     const int h = 3 * face + k;
-    isFlat = isFlat && std::abs(geometry.angleScale[geometry.mesh->tail(h)] - 1) <= kChainRounding;
     size += squares[k] + geometry.edgeLength[h] * geometry.edgeLength[h];
   }
-  if (isFlat || !mayHaveOneSource(geometry, face, squares, size)) return;
+  if (!mayHaveOneSource(geometry, face, squares, size)) return;
   const Vec2 corner = cornerInFace(geometry, face, nearest);
   const Vec2 toSource = values.gradients[nearest] / -2;
   // The frames of a vertex and of a face agree in the direction of the face's centroid.
@@ -66,7 +64,7 @@ FaceValues valuesInFace(const Geometry& geometry, ControlField& field, int face)
     values.gradients[k] = rotate(geometry.vertexToFace[h], value.gradient);
     values.squaredDistances[k] = value.squaredDistance;
   }
-  if (field.isOfPaths()) straighten(geometry, face, values);
+  if (field.isOfPaths() && hasTurnedFrame(geometry, face)) straighten(geometry, face, values);
   return values;
 }
 
@@ -188,7 +186,7 @@ EdgeValues FieldBlend::valuesAlongEdge(int i, int h, int half) {
   ControlField& field = *fields_[i];
   if (field.isOfPaths() && !cells_.cut()) {
     for (const int side : {h, geometry_.mesh->twin[h]}) {
-      if (side < 0) continue;
+      if (side < 0 || !hasTurnedFrame(geometry_, faceOf(side))) continue;
       const int slot = slotOf(faceOf(side));
       if (straight_[static_cast<ptrdiff_t>(slot) * fields_.count() + i] == 0) continue;
       const double* vectors = vectorsOf(slot) + 6 * i;

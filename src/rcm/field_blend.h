@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "intrinsic/straightest.h"
@@ -14,9 +15,21 @@
 /// values at the midpoints of edges, the midpoints divide each face into four cells.
 ///
 /// The frames of vertices, whose angles are scaled, turn a path's direction against the plane of a
-/// face. So where all corners of a face see a control point at one place in this plane, as on a
-/// flat side of a solid, the field of the paths to this point is exact instead.
+/// face. So in a face with a strongly turned frame (hasTurnedFrame) a field of paths is exact
+/// instead, if all corners of the face see the control point at one place in this plane, as on a
+/// flat side of a solid.
 namespace karcher {
+
+/// Whether the frame of a corner of a face, whose angles are scaled to sum to 2 pi, turns paths in
+/// the half plane before the corner by more than .2 radians, as at a corner of a solid.
+inline bool hasTurnedFrame(const Geometry& geometry, int face) {
+  constexpr double kMostTurn = 0.2;
+  for (int k = 0; k < 3; ++k) {
+    const double scale = geometry.angleScale[geometry.mesh->corner(face, k)];
+    if (kPi / 2 * std::abs(1 - 1 / scale) > kMostTurn) return true;
+  }
+  return false;
+}
 
 /// Weights, one for each field. They sum to 1 up to kChainRounding.
 using Weights = std::span<const double>;

@@ -1,8 +1,8 @@
 import type { Mesh } from '../mesh.js';
 import { engineFieldOptions } from '../options.js';
-import { nextCorner } from '../peers/drag.js';
 import type { Peers } from '../peers/index.js';
 import type { EngineBenchmark } from '../peers/karcher-peers.mjs';
+import { nextCorner } from '../peers/next_corner.js';
 import type { FieldOptions, PointLike, Solver, SurfacePoint } from '../types.js';
 import type { Command } from './command.js';
 import { UsageError } from './errors.js';

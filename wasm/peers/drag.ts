@@ -1,5 +1,5 @@
 import type { Mesh } from '../mesh.js';
-import type { CurveSamples, LongWorkOptions, SurfacePoint } from '../types.js';
+import type { CurveSamples, LongWorkOptions } from '../types.js';
 import { at, length, subtract, type Vector } from '../vectors.js';
 import { isThere } from './status.js';
 import type { CurvePlan, MethodCurve } from './types.js';
@@ -81,15 +81,4 @@ function farthest(before: CurveSamples, after: CurveSamples): number | null {
     most = Math.max(most ?? 0, length(subtract(at(after.position, i), at(before.position, i))));
   }
   return most;
-}
-
-/**
- * The corner after the corner nearest to a point, in the point's face. It serves as the end of a
- * drag by about an edge.
- */
-export function nextCorner({ face, bary }: SurfacePoint): SurfacePoint {
-  const heaviest = bary.indexOf(Math.max(...bary));
-  const corner: [number, number, number] = [0, 0, 0];
-  corner[(heaviest + 1) % 3] = 1;
-  return { face, bary: corner };
 }
